@@ -1,0 +1,14 @@
+#pragma once
+
+#include "agents/protocol/messages.hpp"
+#include "common/digest.hpp"
+
+namespace evbal {
+
+/// Adds a message to a digest: every field but the Origin, in the order of the struct, as little-endian bytes.
+void fingerprint(Digest& digest, const Faults& message);
+void fingerprint(Digest& digest, const Report& message);
+void fingerprint(Digest& digest, const Plan& message);
+void fingerprint(Digest& digest, const Departures& message);
+
+}  // namespace evbal

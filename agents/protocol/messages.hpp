@@ -1,0 +1,186 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// What is said in one tick (`architecture` of the docs): plain values, the same over DDS and in one process.
+/// Regions count from 0; minutes count from the day's start; lists are in the order that each comment gives, so
+/// that equal worlds give equal bytes.
+namespace evbal {
+
+/// Who wrote a message and what it cost. Recorded, but no part of any digest.
+struct Origin {
+  std::int64_t process_id = 0;
+  double seconds = 0.0;  ///< CPU seconds spent on making it
+};
+
+struct Vehicle {
+  std::int32_t id = 0;
+  std::int32_t sessions = 0;  ///< charging sessions begun so far; keys the stream of the next one
+  double battery_kwh = 0.0;
+};
+
+/// Why a vehicle is on the road.
+enum class Errand : std::uint8_t {
+  passenger = 0,  ///< carries a passenger: occupied
+  rebalance = 1,  ///< vacant, sent by a plan
+  charge = 2,     ///< low-battery, sent to a station
+};
+
+/// A vehicle that the roads hand to a region.
+struct Arrival {
+  std::int32_t region = 0;
+  std::int32_t minute = 0;
+  Errand errand = Errand::passenger;
+  Vehicle vehicle;
+};
+
+/// Cars bound for a region that have not arrived yet.
+struct UnderWay {
+  std::int32_t region = 0;
+  std::int32_t minute = 0;  ///< when they arrive
+  Errand errand = Errand::passenger;
+  std::int32_t count = 0;
+};
+
+/// What a fault does to the world.
+enum class EffectType : std::uint8_t {
+  demand_scale = 0,    ///< magnitude: factor on the passengers who appear
+  charger_outage = 1,  ///< magnitude: points that do not work
+};
+
+/// What happens to the cars at points that fail.
+enum class OnStart : std::uint8_t {
+  drain = 0,  ///< sessions under way end as planned
+  evict = 1,  ///< cars are unplugged and queue again
+};
+
+/// One fault's effect on one region during one tick.
+struct Effect {
+  std::int32_t fault = 0;  ///< position in the resolved schedule
+  EffectType type = EffectType::demand_scale;
+  std::int32_t region = 0;
+  double magnitude = 0.0;
+  OnStart on_start = OnStart::drain;
+  bool visible = true;  ///< whether reports and forecasters are told
+};
+
+/// Injector to conductor: the effects that are active during a tick.
+struct Faults {
+  std::int32_t tick = 0;
+  std::vector<Effect> effects;  ///< by (fault, region)
+  Origin origin;
+};
+
+/// Conductor to all: a tick begins.
+struct Tick {
+  std::int32_t tick = 0;
+  bool plan_due = false;
+  std::vector<std::int32_t> due;    ///< regions that are waited for, ascending
+  std::vector<Arrival> arrivals;    ///< during this tick, by (region, minute, vehicle)
+  std::vector<UnderWay> under_way;  ///< after those arrivals, by (region, minute, errand)
+  std::vector<Effect> effects;      ///< by (fault, region)
+};
+
+/// Agent to coordinator, if a plan is due: the region before anything moves.
+struct Report {
+  std::int32_t tick = 0;
+  std::int32_t region = 0;
+  std::int32_t vacant = 0;
+  std::int32_t low_battery = 0;  ///< waiting, in the queue or where there is no station
+  std::int32_t plugged = 0;
+  std::int32_t points = 0;                  ///< working points, as far as they are visible
+  std::int32_t waiting = 0;                 ///< passengers
+  std::int32_t demand = 0;                  ///< passengers who appeared since the region's last report
+  std::int32_t completions = 0;             ///< sessions that ended charged since the last report
+  std::vector<std::int32_t> plugged_since;  ///< minute at which each plugged car began, ascending
+  std::vector<UnderWay> bound;              ///< arrivals of this tick and cars under way to here, by (minute, errand)
+  Origin origin;
+};
+
+/// An order to send `count` vehicles.
+struct Move {
+  std::int32_t from = 0;
+  std::int32_t to = 0;
+  std::int32_t count = 0;
+  Errand errand = Errand::rebalance;  ///< rebalance or charge
+};
+
+/// How a plan came about when the first choice failed, best first.
+enum class FallbackLevel : std::uint8_t {
+  none = 0,     ///< the controller itself
+  nominal = 1,  ///< the same problem without its worst cases
+  shifted = 2,  ///< the last plan's next step
+  hold = 3,     ///< nobody moves
+};
+
+/// What made a plan and how good it is.
+struct Provenance {
+  std::string controller;
+  std::string engine;
+  FallbackLevel fallback = FallbackLevel::none;
+  std::string reason;  ///< why there was a fallback; empty without
+  double objective = 0.0;
+  double lower_bound = 0.0;
+  double gap = 0.0;            ///< (objective - lower_bound) / max(1, |objective|)
+  double max_violation = 0.0;  ///< of any constraint, recomputed from the model
+  std::int32_t iterations = 0;
+};
+
+/// Coordinator to all.
+struct Plan {
+  std::int32_t tick = 0;
+  std::vector<Move> moves;  ///< by (errand, from, to), counts at least 1
+  Provenance provenance;
+  Origin origin;
+};
+
+/// A vehicle that leaves a region.
+struct Departure {
+  std::int32_t minute = 0;
+  std::int32_t to = 0;
+  std::int32_t arrival_minute = 0;
+  Errand errand = Errand::passenger;
+  Vehicle vehicle;
+  double km = 0.0;
+};
+
+/// What became of a passenger, said in the tick in which it was settled.
+struct Fate {
+  std::int32_t appeared = 0;  ///< minute
+  std::int32_t destination = 0;
+  std::int32_t waited = 0;  ///< minutes
+  bool served = false;
+  std::int32_t vehicle = -1;  ///< who served, -1 if lost
+};
+
+/// What a fault was seen to do in a region during a tick.
+struct Observed {
+  std::int32_t fault = 0;
+  double amount = 0.0;  ///< passengers added or removed, points closed
+  std::int32_t evicted = 0;
+};
+
+/// Agent to conductor: what left the region during a tick, and how it stands at the tick's end.
+struct Departures {
+  std::int32_t tick = 0;
+  std::int32_t region = 0;
+  std::vector<Departure> departures;  ///< by (minute, vehicle)
+  std::vector<Fate> fates;            ///< by (minute settled, appeared, order of arrival)
+  std::vector<Observed> observed;     ///< by fault
+  std::int32_t refused = 0;           ///< vehicles that the plan asked for and the region did not have
+  std::int32_t demand = 0;            ///< passengers who appeared
+  std::int32_t completions = 0;
+  std::int32_t queue_minutes = 0;  ///< vehicle-minutes that low-battery cars waited in regions with stations
+  std::int32_t stranded = 0;       ///< vehicles that arrived here with an empty battery
+  double charged_kwh = 0.0;
+  std::int32_t vacant = 0;  ///< these five at the tick's end
+  std::int32_t low_battery = 0;
+  std::int32_t plugged = 0;
+  std::int32_t points = 0;  ///< points that really work
+  std::int32_t waiting = 0;
+  Origin origin;
+};
+
+}  // namespace evbal

@@ -1,0 +1,10 @@
+# Every dependency is a Debian package; README.md says why each is there.
+find_package(PkgConfig REQUIRED)
+find_package(yaml-cpp REQUIRED)
+pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
+
+# Debian ships Eigen and Random123 as headers; SYSTEM keeps their warnings out of ours.
+find_path(EIGEN_INCLUDE_DIR Eigen/Core PATH_SUFFIXES eigen3 REQUIRED)
+add_library(evbal_eigen INTERFACE)
+add_library(evbal::eigen ALIAS evbal_eigen)
+target_include_directories(evbal_eigen SYSTEM INTERFACE ${EIGEN_INCLUDE_DIR})

@@ -1,0 +1,27 @@
+# How a room of the house is built: warnings as errors, no fused or reordered floating point (results replay to the
+# byte), includes from the root of the tree.
+
+add_library(evbal_options INTERFACE)
+target_include_directories(evbal_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(evbal_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror
+                                               -ffp-contract=off)
+if(EVBAL_SANITIZE)
+  target_compile_options(evbal_options INTERFACE -fsanitize=${EVBAL_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(evbal_options INTERFACE -fsanitize=${EVBAL_SANITIZE})
+endif()
+
+# evbal_library(name SOURCES ... [PUBLIC libs...] [PRIVATE libs...]): a static library evbal::name.
+function(evbal_library name)
+  cmake_parse_arguments(ROOM "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  add_library(evbal_${name} STATIC ${ROOM_SOURCES})
+  add_library(evbal::${name} ALIAS evbal_${name})
+  target_link_libraries(evbal_${name} PUBLIC evbal_options ${ROOM_PUBLIC} PRIVATE ${ROOM_PRIVATE})
+endfunction()
+
+# evbal_program(name SOURCES ... LIBS ...): an executable in the build tree's bin/.
+function(evbal_program name)
+  cmake_parse_arguments(PROGRAM "" "" "SOURCES;LIBS" ${ARGN})
+  add_executable(${name} ${PROGRAM_SOURCES})
+  target_link_libraries(${name} PRIVATE evbal_options ${PROGRAM_LIBS})
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+endfunction()

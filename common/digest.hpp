@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+
+struct XXH3_state_s;
+
+namespace evbal {
+
+/// Running 128-bit fingerprint (XXH3) of bytes: two runs with the same digest said and did the same.
+class Digest {
+ public:
+  Digest();
+
+  void update(const void* data, std::size_t bytes);
+
+  /// Fingerprint of all bytes so far, as 32 lower-case hexadecimal digits.
+  std::string hex() const;
+
+ private:
+  struct Free {
+    void operator()(XXH3_state_s* state) const;
+  };
+  std::unique_ptr<XXH3_state_s, Free> state_;
+};
+
+}  // namespace evbal

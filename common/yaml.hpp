@@ -1,0 +1,104 @@
+#pragma once
+
+#include "common/error.hpp"
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace YAML {
+class Node;
+}
+
+namespace evbal {
+
+/// A node of a YAML file that knows its place. Stricter than YAML: numbers are plain decimal, booleans are
+/// `true` and `false`, durations and times carry their unit, keys are not repeated. Everything that does not fit
+/// throws Error{bad_input} as "file:line: what, and what would be right".
+class YamlValue {
+ public:
+  /// Reads a whole file. Throws if it is missing, empty or no YAML.
+  static YamlValue load(const std::filesystem::path& file);
+
+  /// Reads `text`; `name` stands for the file in messages.
+  static YamlValue parse(const std::string& text, const std::string& name);
+
+  bool is_map() const;
+  bool is_list() const;
+  bool is_scalar() const;
+
+  std::string text() const;
+  double number() const;
+  double number(double low, double high) const;  ///< within [low, high]
+  int integer() const;
+  int integer(int low, int high) const;  ///< within [low, high]
+  std::uint64_t seed() const;            ///< whole number in 0..2^64-1
+  bool boolean() const;
+
+  /// "90min", "1.5h", "30s" as minutes, not negative.
+  double duration() const;
+
+  /// A duration of whole minutes, at least 1.
+  int whole_minutes() const;
+
+  /// "17:30" as minutes after midnight, up to "24:00".
+  int time_of_day() const;
+
+  /// One of `words`, as its position.
+  std::size_t one_of(const std::vector<std::string>& words) const;
+
+  std::vector<YamlValue> items() const;  ///< of a list
+
+  /// The node as YAML text of its own.
+  std::string dump() const;
+
+  Error error(const std::string& message) const;
+  int line() const;
+  const std::string& file() const;
+
+ private:
+  friend class YamlMap;
+  YamlValue(std::shared_ptr<const YAML::Node> node, std::shared_ptr<const std::string> file);
+
+  const std::string& scalar(const char* expected) const;
+
+  std::shared_ptr<const YAML::Node> node_;
+  std::shared_ptr<const std::string> file_;
+};
+
+/// A YAML map whose keys are asked for by name. finish() refuses the keys that nobody asked for.
+class YamlMap {
+ public:
+  /// Throws if `value` is no map or repeats a key.
+  explicit YamlMap(const YamlValue& value);
+
+  std::optional<YamlValue> find(const std::string& key);
+
+  /// Throws if the key is missing.
+  YamlValue require(const std::string& key);
+
+  /// Keys in the order of the file.
+  const std::vector<std::string>& keys() const { return order_; }
+
+  /// Throws on the first key that was never asked for, naming those that were.
+  void finish() const;
+
+  const YamlValue& value() const { return value_; }
+
+ private:
+  YamlValue value_;
+  std::vector<std::string> order_;
+  std::map<std::string, YamlValue> entries_;
+  std::map<std::string, YamlValue> key_places_;
+  std::set<std::string> known_;
+};
+
+/// The word in `words` closest to `word`, as " (did you mean `x`?)", empty if none is close.
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& words);
+
+}  // namespace evbal

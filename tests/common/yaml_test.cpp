@@ -1,0 +1,69 @@
+#include "common/yaml.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace evbal {
+namespace {
+
+YamlMap map_of(const std::string& text) {
+  return YamlMap(YamlValue::parse(text, "a.yaml"));
+}
+
+void expect_refused(const std::function<void()>& reads, const std::string& place, const std::string& word) {
+  try {
+    reads();
+    FAIL() << "was accepted, expected a refusal at " << place;
+  } catch (const Error& error) {
+    EXPECT_EQ(error.status(), ExitStatus::bad_input);
+    EXPECT_TRUE(std::string(error.what()).starts_with(place + ": ")) << error.what();
+    EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
+  }
+}
+
+TEST(Yaml, ReadsWhatItIsGiven) {
+  auto map = map_of("a: 1.5\nb: 12\nc: true\nd: 90min\ne: \"17:30\"\nf: [x, y]\ng: 18446744073709551615\n");
+  EXPECT_EQ(map.require("a").number(), 1.5);
+  EXPECT_EQ(map.require("b").integer(0, 20), 12);
+  EXPECT_TRUE(map.require("c").boolean());
+  EXPECT_EQ(map.require("d").whole_minutes(), 90);
+  EXPECT_EQ(map.require("e").time_of_day(), 17 * 60 + 30);
+  EXPECT_EQ(map.require("f").items().at(1).text(), "y");
+  EXPECT_EQ(map.require("g").seed(), 18446744073709551615ULL);
+  EXPECT_NO_THROW(map.finish());
+}
+
+TEST(Yaml, RefusesWhatYamlWouldGuess) {
+  expect_refused([] { map_of("a: 1\na: 2\n"); }, "a.yaml:2", "twice");
+  expect_refused([] { map_of("a: 010\n").require("a").integer(); }, "a.yaml:1", "whole number");
+  expect_refused([] { map_of("a: yes\n").require("a").boolean(); }, "a.yaml:1", "neither");
+  expect_refused([] { map_of("\na: 0x10\n").require("a").number(); }, "a.yaml:2", "decimal");
+  expect_refused([] { map_of("a: .inf\n").require("a").number(); }, "a.yaml:1", "decimal");
+  expect_refused([] { map_of("a: 30\n").require("a").duration(); }, "a.yaml:1", "30min");
+  expect_refused([] { map_of("a: 1.5min\n").require("a").whole_minutes(); }, "a.yaml:1", "whole minutes");
+  expect_refused([] { map_of("a: 30 minutes\n").require("a").duration(); }, "a.yaml:1", "30min");
+  expect_refused([] { map_of("a: \"24:30\"\n").require("a").time_of_day(); }, "a.yaml:1", "17:30");
+  expect_refused([] { map_of("a: -1\n").require("a").integer(0, 5); }, "a.yaml:1", "from 0 to 5");
+}
+
+TEST(Yaml, RefusesUnknownAndMissingKeys) {
+  expect_refused(
+      [] {
+        auto map = map_of("tick: 5min\nstpe: 30min\n");
+        map.find("tick");
+        map.find("step");
+        map.finish();
+      },
+      "a.yaml:2", "did you mean `step`");
+  expect_refused([] { map_of("a: 1\n").require("b"); }, "a.yaml:1", "`b` is missing");
+}
+
+TEST(Yaml, RefusesBrokenFiles) {
+  expect_refused([] { YamlValue::parse("a: [1, 2\n", "a.yaml"); }, "a.yaml:2", "YAML");
+  expect_refused([] { YamlValue::parse("", "a.yaml"); }, "a.yaml:1", "empty");
+  expect_refused([] { YamlValue::load("/no/such/file.yaml"); }, "/no/such/file.yaml", "cannot be read");
+}
+
+}  // namespace
+}  // namespace evbal
