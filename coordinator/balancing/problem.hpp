@@ -1,0 +1,92 @@
+#pragma once
+
+#include "coordinator/ambiguity/moment_set.hpp"
+
+#include <Eigen/Core>
+
+#include <string>
+#include <vector>
+
+namespace evbal {
+
+/// Prices and bounds of the balancing problem (model, section 2), tuned on tuning seeds only.
+struct BalancingParameters {
+  double a = 0.1;            ///< power of the utilisation term J_E; smaller equalises more
+  double theta_0 = 20.0;     ///< weight of J_E is theta_0 / a
+  double eps = 1.0;          ///< vehicles; keeps J_E finite where no car waits
+  double beta = 1.0;         ///< price of a low-battery car's km against a vacant one's
+  double omega = 10.0;       ///< km per low-battery car that waits a step for a charger
+  double pi_e = 20.0;        ///< km per charged car kept plugged in for a step
+  double p_shortage = 12.0;  ///< km per vehicle missing below the band
+  double p_surplus = 3.0;    ///< km per vehicle above the band
+  double eta = 0.2;          ///< half-width of the band around the city's demand-supply ratio
+  double m1 = 10.0;          ///< km; vacant cars are sent to regions nearer than this
+  double m2 = 15.0;          ///< km; low-battery cars likewise
+  int neighbours = 12;       ///< at most so many nearest targets a region, beside its nearest region and station
+  int tau = 2;               ///< steps in the horizon
+};
+
+/// Vehicles as they stand when a plan is made; all N, in vehicles.
+struct FleetState {
+  Eigen::VectorXd vacant;                ///< V1
+  Eigen::VectorXd occupied;              ///< O1, by destination
+  Eigen::VectorXd low_battery;           ///< L1
+  Eigen::VectorXd plugged;               ///< B1
+  Eigen::VectorXd waiting;               ///< passengers waiting now
+  Eigen::MatrixXd arriving_vacant;       ///< aV, N x tau: column k is added to V at the end of step k
+  Eigen::MatrixXd arriving_low_battery;  ///< aL, N x tau: column k is added to L at the end of step k
+};
+
+/// Row-stochastic transitions of one step (model, section 2): entry (j, i) is the share of the vehicles of j that
+/// are in i, in the new state, one step later.  rows of Pv + Po + Pl and of Qv + Qo sum to one.
+struct Transitions {
+  Eigen::MatrixXd vacant_to_vacant;       ///< Pv
+  Eigen::MatrixXd vacant_to_occupied;     ///< Po, i = destination
+  Eigen::MatrixXd vacant_to_low_battery;  ///< Pl
+  Eigen::MatrixXd occupied_to_vacant;     ///< Qv
+  Eigen::MatrixXd occupied_to_occupied;   ///< Qo
+};
+
+/// Everything that a controller may know when it plans.
+struct PlanningData {
+  Eigen::MatrixXd km;  ///< N x N
+  FleetState state;
+  Eigen::MatrixXd points;                ///< P, N x tau: working points per step
+  MomentSet demand;                      ///< r
+  MomentSet completions;                 ///< c
+  std::vector<Transitions> transitions;  ///< tau of them
+  double step_minutes = 30.0;            ///< Delta
+  double mean_session_minutes = 45.0;    ///< caps J_E's c_hat at P Delta / mean session
+  Eigen::MatrixXd minutes;               ///< N x N travel time (greedy only)
+};
+
+/// A planned flow of vehicles.
+struct Flow {
+  int from = 0;
+  int to = 0;
+  double amount = 0.0;
+};
+
+/// What a controller decides, per step of the horizon.
+struct Dispatch {
+  std::vector<std::vector<Flow>> vacant;       ///< x, by (from, to)
+  std::vector<std::vector<Flow>> low_battery;  ///< y, by (from, to)
+};
+
+/// How a solve ended and what it is worth. Only `optimal` may be used.
+struct Certificate {
+  bool optimal = false;
+  std::string why_not;  ///< the engine's reason, empty if optimal
+  double objective = 0.0;
+  double lower_bound = 0.0;  ///< -infinity where the engine gives none
+  double gap = 0.0;
+  double max_violation = 0.0;  ///< recomputed from the model, not the solver's word
+  int iterations = 0;
+};
+
+struct BalancingResult {
+  Dispatch dispatch;
+  Certificate certificate;
+};
+
+}  // namespace evbal
