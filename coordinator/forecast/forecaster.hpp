@@ -1,0 +1,25 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace evbal {
+
+/// Forecasts counts per region (passengers who appear, charging sessions that end) while a day goes on.
+/// Minutes count from the day's start.
+class Forecaster {
+ public:
+  virtual ~Forecaster() = default;
+
+  /// Takes the counts (N) of the minutes from the last observation, or the day's start, up to `minute`.
+  virtual void observe(int minute, const Eigen::VectorXd& counts) = 0;
+
+  /// Expected counts of the `tau` windows of one step each that follow `minute`, N x tau, none negative. Minutes after
+  /// the day's end count nothing. `minute` is not before the last observation.
+  virtual Eigen::MatrixXd forecast(int minute, int tau) const = 0;
+
+  /// Size of an ordinary forecast error of the same windows, N x tau, all > 0: residuals divided by it are alike at
+  /// any time of the day (model, section 5).
+  virtual Eigen::MatrixXd scale(int minute, int tau) const = 0;
+};
+
+}  // namespace evbal

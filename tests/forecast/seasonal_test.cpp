@@ -1,0 +1,106 @@
+#include "coordinator/forecast/seasonal.hpp"
+
+#include "common/error.hpp"
+#include "common/random.hpp"
+#include "coordinator/forecast/seasonal_fit.hpp"
+
+#include <gtest/gtest.h>
+
+namespace evbal {
+namespace {
+
+constexpr int steps = 38;
+
+/// Days whose level differs from day to day and stays for the whole day.
+std::vector<CountDay> days_with_levels(int count, int regions, std::uint64_t seed) {
+  RandomStream random(seed, Purpose::poisson_demand, {});
+  std::vector<CountDay> days;
+  for (int d = 0; d < count; ++d) {
+    const double level = 1.0 + 0.3 * random.normal();
+    CountDay day{DayKind::weekday, Eigen::MatrixXd(regions, steps)};
+    for (int step = 0; step < steps; ++step) {
+      for (int region = 0; region < regions; ++region) {
+        const double mean = (10.0 + 5.0 * region + step) * std::max(0.2, level);
+        day.counts(region, step) = static_cast<double>(random.poisson(mean));
+      }
+    }
+    days.push_back(day);
+  }
+  return days;
+}
+
+SeasonalModel plain_model(const Eigen::MatrixXd& mean) {
+  return {30, {mean, mean, mean}, Eigen::MatrixXd::Zero(3, 2), Eigen::MatrixXd::Zero(3, 2)};
+}
+
+TEST(DayKind, FollowsTheCalendar) {
+  EXPECT_EQ(day_kind("2008-05-26", false), DayKind::weekday);
+  EXPECT_EQ(day_kind("2008-05-26", true), DayKind::sunday);
+  EXPECT_EQ(day_kind("2008-05-31", false), DayKind::saturday);
+  EXPECT_EQ(day_kind("2008-06-01", false), DayKind::sunday);
+  for (const char* wrong : {"", "2008-6-1", "2008-02-30", "2008/06/01", "20a8-06-01"}) {
+    EXPECT_THROW(day_kind(wrong, false), Error) << wrong;
+  }
+}
+
+TEST(WindowSum, SharesStepsByOverlap) {
+  const Eigen::MatrixXd mean = (Eigen::MatrixXd(1, 3) << 3.0, 6.0, 9.0).finished();
+  EXPECT_DOUBLE_EQ(window_sum(mean, 30, 0, 30)(0), 3.0);
+  EXPECT_DOUBLE_EQ(window_sum(mean, 30, 10, 40)(0), 2.0 + 2.0);
+  EXPECT_DOUBLE_EQ(window_sum(mean, 30, 80, 110)(0), 3.0);
+  EXPECT_DOUBLE_EQ(window_sum(mean, 30, -30, 0)(0), 0.0);
+}
+
+TEST(SeasonalForecaster, WithoutCorrectionIsTheSeasonalMean) {
+  Eigen::MatrixXd mean(2, steps);
+  mean.row(0).setLinSpaced(1.0, 20.0);
+  mean.row(1).setConstant(4.0);
+  const SeasonalModel model = plain_model(mean);
+  SeasonalForecaster forecaster(model, DayKind::weekday);
+  forecaster.observe(30, Eigen::Vector2d(50.0, 0.0));
+  EXPECT_TRUE(forecaster.forecast(30, 2).isApprox(mean.middleCols(1, 2)));
+  EXPECT_DOUBLE_EQ(forecaster.forecast(steps * 30 - 30, 2)(1, 1), 0.0) << "nothing after the day's end";
+}
+
+TEST(SeasonalForecaster, CorrectsByWhatWasSeenInTheLastStep) {
+  SeasonalModel model = plain_model(Eigen::MatrixXd::Constant(1, steps, 6.0));
+  model.own(0, 0) = 0.5;
+  model.own(0, 1) = 0.25;
+  SeasonalForecaster forecaster(model, DayKind::weekday);
+  for (int minute = 10; minute <= 40; minute += 10) {
+    forecaster.observe(minute, Eigen::VectorXd::Constant(1, minute <= 10 ? 0.0 : 4.0));
+  }
+  // 12 in the last half hour against 6 expected.
+  EXPECT_NEAR(forecaster.forecast(40, 2)(0, 0), 6.0 + 0.5 * 6.0, 1e-12);
+  EXPECT_NEAR(forecaster.forecast(40, 2)(0, 1), 6.0 + 0.25 * 6.0, 1e-12);
+}
+
+TEST(SeasonalForecaster, NeverForecastsLessThanNothing) {
+  SeasonalModel model = plain_model(Eigen::MatrixXd::Constant(1, steps, 6.0));
+  model.own(0, 0) = 3.0;
+  SeasonalForecaster forecaster(model, DayKind::weekday);
+  forecaster.observe(30, Eigen::VectorXd::Zero(1));
+  EXPECT_DOUBLE_EQ(forecaster.forecast(30, 1)(0, 0), 0.0);
+}
+
+TEST(FitSeasonal, LearnsThatALevelStays) {
+  const auto days = days_with_levels(14, 4, 1);
+  Skill skill{Eigen::VectorXd::Zero(2), Eigen::VectorXd::Zero(2), Eigen::VectorXd::Zero(2)};
+  for (const auto& day : leave_one_day_out(days, 30, 2)) {
+    EXPECT_EQ(day.residuals.rows(), 8);
+    EXPECT_EQ(day.residuals.cols(), steps - 1);
+    skill += day.skill;
+  }
+  EXPECT_LT(skill.forecast.sum(), 0.7 * skill.seasonal_mean.sum());
+  EXPECT_LT(skill.forecast.sum(), 0.9 * skill.last_value.sum());
+}
+
+TEST(FitSeasonal, TakesSeriesWithoutCounts) {
+  std::vector<CountDay> days(3, {DayKind::sunday, Eigen::MatrixXd::Zero(2, steps)});
+  const SeasonalModel model = fit_seasonal(days, 30, 2);
+  EXPECT_TRUE(model.own.allFinite());
+  EXPECT_TRUE(SeasonalForecaster(model, DayKind::sunday).forecast(0, 2).isZero());
+}
+
+}  // namespace
+}  // namespace evbal
