@@ -18,10 +18,12 @@ function(evbal_library name)
   target_link_libraries(evbal_${name} PUBLIC evbal_options ${ROOM_PUBLIC} PRIVATE ${ROOM_PRIVATE})
 endfunction()
 
-# evbal_program(name SOURCES ... LIBS ...): an executable in the build tree's bin/.
+# evbal_program(name SOURCES ... LIBS ...): an executable in the build tree's bin/; the target `programs` builds them all.
+add_custom_target(programs)
 function(evbal_program name)
   cmake_parse_arguments(PROGRAM "" "" "SOURCES;LIBS" ${ARGN})
   add_executable(${name} ${PROGRAM_SOURCES})
   target_link_libraries(${name} PRIVATE evbal_options ${PROGRAM_LIBS})
+  add_dependencies(programs ${name})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 endfunction()
