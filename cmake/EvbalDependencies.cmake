@@ -8,3 +8,11 @@ find_path(EIGEN_INCLUDE_DIR Eigen/Core PATH_SUFFIXES eigen3 REQUIRED)
 add_library(evbal_eigen INTERFACE)
 add_library(evbal::eigen ALIAS evbal_eigen)
 target_include_directories(evbal_eigen SYSTEM INTERFACE ${EIGEN_INCLUDE_DIR})
+
+# MRPT's headers do not pass our warnings.
+find_package(mrpt-math REQUIRED)
+add_library(evbal_mrpt_math INTERFACE)
+add_library(evbal::mrpt_math ALIAS evbal_mrpt_math)
+target_link_libraries(evbal_mrpt_math INTERFACE mrpt::math)
+
+find_package(CLI11 REQUIRED)

@@ -76,12 +76,16 @@ struct City {
   Eigen::MatrixXd minutes;        ///< mean driving time, >= 1 for every pair
   std::vector<std::string> days;  ///< ISO dates on record, ascending
   std::vector<std::string> train_days;
-  std::vector<std::string> test_days;
+  std::vector<std::string> test_days;  ///< every day is for training or for testing
+  std::vector<std::string> holidays;   ///< those of `days` that are public holidays
   FleetAssumption fleet;
   ChargingAssumption charging;
   PassengerAssumption passengers;
 
   int size() const { return static_cast<int>(regions.size()); }
+
+  /// Steps of a DemandDay, which lasts until midnight.
+  int steps_per_day() const { return (24 * 60 - day_start) / step_minutes; }
 
   /// Charging points of each region, N.
   Eigen::VectorXi points() const;
@@ -96,7 +100,9 @@ City read_city(const std::filesystem::path& folder);
 /// Reads one day of demand. Throws Error{bad_input} if the day is not on record (naming those that are) or malformed.
 DemandDay read_demand(const City& city, const std::string& date);
 
-/// Writes a pack that read_city and read_demand give back. The folder must not exist or be empty.
+/// Writes a pack that read_city and read_demand give back; `days` are those of `city.days`, in that order. The folder
+/// must not exist or be empty: else Error{bad_input}. A pack that cannot be written throws Error{run_failed} and leaves
+/// nothing behind.
 void write_city(const City& city, const std::vector<DemandDay>& days, const std::filesystem::path& folder);
 
 }  // namespace evbal
