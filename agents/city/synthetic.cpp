@@ -28,8 +28,9 @@ RandomStream stream(const SyntheticOptions& options, Draw draw, std::uint64_t re
   return {options.seed, Purpose::synthetic_city, {region, tick, static_cast<std::uint64_t>(draw)}};
 }
 
-double rounded(double value, double unit) {
-  return std::round(value / unit) * unit;
+/// To the nearest 1 / `parts`, so that it is short in a file.
+double rounded(double value, double parts) {
+  return std::round(value * parts) / parts;
 }
 
 double bump(double hour, double peak, double width) {
@@ -51,7 +52,7 @@ std::vector<Region> grid_regions(const SyntheticOptions& options) {
     const double east = (column + random.uniform(-0.25, 0.25)) * kCell;
     const double north = (row + random.uniform(-0.25, 0.25)) * kCell;
     const LatLon point = frame.global({east, north});
-    return LatLon{rounded(point.lat, 1e-5), rounded(point.lon, 1e-5)};
+    return LatLon{rounded(point.lat, 1e5), rounded(point.lon, 1e5)};
   };
   std::vector<Region> regions;
   for (int i = 0; i < options.regions; ++i) {
@@ -64,7 +65,7 @@ std::vector<Region> grid_regions(const SyntheticOptions& options) {
       region.centroid.lat += point.lat / 4.0;
       region.centroid.lon += point.lon / 4.0;
     }
-    region.centroid = {rounded(region.centroid.lat, 1e-5), rounded(region.centroid.lon, 1e-5)};
+    region.centroid = {rounded(region.centroid.lat, 1e5), rounded(region.centroid.lon, 1e5)};
     regions.push_back(std::move(region));
   }
   return regions;
@@ -80,8 +81,8 @@ void add_travel(City& city) {
       const double straight =
           i == j ? kWithin * kCell
                  : distance(frame.local(city.regions[i].centroid), frame.local(city.regions[j].centroid));
-      city.km(i, j) = rounded(kDetour * straight / 1000.0, 0.01);
-      city.minutes(i, j) = rounded(kStartMinutes + kMinutesPerKm * city.km(i, j), 0.1);
+      city.km(i, j) = rounded(kDetour * straight / 1000.0, 100.0);
+      city.minutes(i, j) = rounded(kStartMinutes + kMinutesPerKm * city.km(i, j), 10.0);
     }
   }
 }

@@ -260,6 +260,15 @@ TEST(Synthetic, SameSeedSameCity) {
   EXPECT_NE(synthetic_city(other).city.km, a.city.km);
 }
 
+TEST(Synthetic, ShippedToyIsWhatTheDefaultsGive) {
+  const SyntheticCity made = synthetic_city({});
+  const City city = read_city(fs::path(EVBAL_SOURCE_DIR) / "experiments/cities/toy-5");
+  expect_equal(made.city, city);
+  for (std::size_t d = 0; d < made.days.size(); ++d) {
+    expect_equal(made.days[d], read_demand(city, made.days[d].date));
+  }
+}
+
 TEST(Synthetic, HasTheTripsItWasAskedFor) {
   SyntheticOptions options;
   options.train_days = 28;
