@@ -1,0 +1,136 @@
+#include "faults/schedule/draw.hpp"
+
+#include "common/random.hpp"
+#include "faults/schedule/guard.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace evbal {
+namespace {
+
+/// The fields that may be drawn. Values key streams: append, never renumber.
+enum class Field : std::uint64_t { target, start, duration, ramp, magnitude };
+
+/// Only the first of the schedules that a seed can give is drawn.
+constexpr std::uint64_t run = 0;
+
+/// Streams of one repetition of one fault.
+class Draws {
+ public:
+  Draws(std::uint64_t seed, const std::string& name, std::uint64_t repetition)
+      : seed_(seed), name_(name_hash(name)), repetition_(repetition) {}
+
+  RandomStream stream(Field field) const {
+    constexpr std::uint64_t fields = 16;
+    return {seed_,
+            Purpose::fault,
+            {.region = name_, .tick = run, .index = repetition_ * fields + static_cast<std::uint64_t>(field)}};
+  }
+
+  double operator()(const Quantity& quantity, Field field) const {
+    auto from = stream(field);
+    return quantity.draw(from);
+  }
+
+  int whole(const Quantity& quantity, Field field) const {
+    return static_cast<int>(std::lround((*this)(quantity, field)));
+  }
+
+ private:
+  /// FNV-1a, 64 bits.
+  static std::uint64_t name_hash(const std::string& name) {
+    std::uint64_t hash = 0xcbf29ce484222325ULL;
+    for (const char c : name) {
+      hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+    }
+    return hash;
+  }
+
+  std::uint64_t seed_;
+  std::uint64_t name_;
+  std::uint64_t repetition_;
+};
+
+std::vector<int> draw_regions(const Target& target, const Draws& draws) {
+  if (!target.pick) {
+    return target.candidates;
+  }
+  auto stream = draws.stream(Field::target);
+  const auto count = static_cast<std::size_t>(std::lround(target.pick->draw(stream)));
+  std::vector<int> regions = target.candidates;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::swap(regions[i], regions[i + stream.below(regions.size() - i)]);
+  }
+  regions.resize(count);
+  std::sort(regions.begin(), regions.end());
+  return regions;
+}
+
+std::vector<double> draw_magnitudes(const Request& request, const std::vector<int>& regions, const Place& place,
+                                    const Draws& draws) {
+  const double drawn = draws(request.magnitude.quantity, Field::magnitude);
+  std::vector<double> magnitudes(regions.size(), drawn);
+  if (request.type->magnitude == MagnitudeUnit::points) {
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+      const double points = place.points_per_region[regions[i]];
+      const double failed = request.magnitude.fraction ? drawn * points : drawn;
+      magnitudes[i] = std::clamp(std::round(failed), 1.0, points);
+    }
+  }
+  return magnitudes;
+}
+
+/// Minutes after midnight at which the fault strikes.
+std::vector<int> draw_starts(const Request& request, std::uint64_t seed) {
+  const Draws draws(seed, request.name, 0);
+  if (request.start) {
+    return {draws.whole(*request.start, Field::start)};
+  }
+  std::vector<int> starts;
+  auto stream = draws.stream(Field::start);
+  const double mean_gap = 60.0 / request.arrivals.per_hour;
+  double at = request.arrivals.from + stream.exponential(mean_gap);
+  while (at < request.arrivals.to) {
+    starts.push_back(static_cast<int>(at));
+    at += stream.exponential(mean_gap);
+  }
+  return starts;
+}
+
+Fault draw_fault(const Request& request, const Place& place, int start, const Draws& draws) {
+  Fault fault;
+  fault.name = request.name;
+  fault.type = request.type->effect;
+  fault.regions = draw_regions(request.target, draws);
+  fault.magnitudes = draw_magnitudes(request, fault.regions, place, draws);
+  fault.start = start - place.clock.start;
+  fault.duration = draws.whole(request.duration, Field::duration);
+  fault.ramp = std::min(draws.whole(request.ramp, Field::ramp), fault.duration / 2);
+  fault.on_start = request.on_start;
+  fault.visible = request.visible;
+  return fault;
+}
+
+}  // namespace
+
+std::vector<Fault> draw_faults(const Request& request, const Place& place, std::uint64_t seed) {
+  std::vector<Fault> faults;
+  std::uint64_t repetition = 0;
+  for (const int start : draw_starts(request, seed)) {
+    Fault fault = draw_fault(request, place, start, Draws(seed, request.name, repetition++));
+    if (!request.start) {
+      fault.name.append("-").append(std::to_string(repetition));
+    }
+    const bool broken_already = std::any_of(faults.begin(), faults.end(), [&](const Fault& earlier) {
+      return overlap(earlier, fault, place.clock).has_value();
+    });
+    if (!broken_already) {
+      faults.push_back(std::move(fault));
+    }
+  }
+  return faults;
+}
+
+}  // namespace evbal

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "faults/schedule/request.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace evbal {
+
+/// Draws what a request leaves open: one fault, or one for each arrival. An arrival where an earlier one still lasts is
+/// left out: what is broken cannot break again. Every field draws from a stream of its own, keyed by (seed, the
+/// fault's name, repetition, field): no fault and no field disturbs another's draws.
+std::vector<Fault> draw_faults(const Request& request, const Place& place, std::uint64_t seed);
+
+}  // namespace evbal

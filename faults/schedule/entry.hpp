@@ -1,0 +1,27 @@
+#pragma once
+
+#include "faults/schedule/schedule.hpp"
+
+#include <string>
+#include <vector>
+
+/// What every entry of a list of faults has, asked for or drawn.
+namespace evbal {
+
+/// A fault and the place in the file that asked for it.
+struct PlacedFault {
+  Fault fault;
+  YamlValue where;
+};
+
+/// Reads the key `name`: letters, digits, `-`, `_` and `.`, so that it fits everywhere.
+std::string read_name(YamlMap& map);
+
+/// Regions with at least so many points, ascending.
+std::vector<int> regions_with(const Place& place, int min_points);
+
+/// Reads a list of regions, ascending. Throws if one is out of range, given twice, or lacks the points that a fault
+/// needs.
+std::vector<int> read_regions(const YamlValue& value, const Place& place, bool with_points);
+
+}  // namespace evbal

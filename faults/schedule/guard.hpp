@@ -1,0 +1,25 @@
+#pragma once
+
+#include "faults/schedule/entry.hpp"
+#include "faults/schedule/schedule.hpp"
+
+#include <optional>
+#include <span>
+
+namespace evbal {
+
+/// Where two faults of a type touch one region at a time: the first such region and the ticks [from, to).
+struct Overlap {
+  int region = 0;
+  int from = 0;
+  int to = 0;
+};
+std::optional<Overlap> overlap(const Fault& a, const Fault& b, const DayClock& clock);
+
+Guard read_guard(const YamlValue& value);
+
+/// Throws Error{bad_input} at the fault that breaks a rule: a name used twice, two faults of a type in one region at
+/// a time, more faults at a time or fewer working points than the guard allows.
+void check_guard(const Guard& guard, std::span<const PlacedFault> faults, const Place& place);
+
+}  // namespace evbal

@@ -1,0 +1,78 @@
+#pragma once
+
+#include "agents/protocol/messages.hpp"
+#include "common/clock.hpp"
+#include "common/yaml.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// What goes wrong, when and where (docs/faults.md): a schedule is asked for in YAML, drawn once from its own seed,
+/// and from then on a list of faults without chance.
+namespace evbal {
+
+/// What a schedule may refer to: the simulated day, and the regions by their charging points.
+struct Place {
+  DayClock clock;
+  std::vector<int> points_per_region;
+};
+
+/// One fault, drawn: nothing about it is open any more.
+struct Fault {
+  std::string name;  ///< unique in its schedule
+  EffectType type = EffectType::demand_scale;
+  std::vector<int> regions;        ///< ascending
+  std::vector<double> magnitudes;  ///< one for each region; a factor or a number of points, see Effect
+  int start = 0;                   ///< minute
+  int duration = 0;                ///< minutes, at least 1
+  int ramp = 0;                    ///< minutes of rise at the start and of fall at the end
+  OnStart on_start = OnStart::drain;
+  bool visible = true;
+
+  bool operator==(const Fault&) const = default;
+};
+
+/// Limits that a schedule must keep at every tick; one that does not is refused.
+struct Guard {
+  int max_active = 1000;       ///< faults at a time
+  int min_working_points = 0;  ///< charging points of the whole city
+
+  bool operator==(const Guard&) const = default;
+};
+
+/// A drawn schedule. Faults are in the order of the request, repetitions of one by time; an Effect refers to them by
+/// position. No two of a type touch one region at a time.
+struct Schedule {
+  std::uint64_t seed = 0;
+  Guard guard;
+  std::vector<Fault> faults;
+
+  bool operator==(const Schedule&) const = default;
+};
+
+/// Reads a schedule and draws what it leaves open; one with `resolved: true` is taken as it stands. Asks `map` for
+/// the keys of a schedule only: the caller asks for its own and calls finish(). Throws Error{bad_input} with file and
+/// line for whatever is unknown, out of range, or against the guard.
+Schedule read_schedule(YamlMap& map, const Place& place);
+
+/// Reads the key `faults` of a resolved scenario. Throws as read_schedule, and if anything is still to be drawn.
+Schedule read_resolved(YamlMap& scenario, const Place& place);
+
+/// The schedule as YAML that read_schedule gives back unchanged.
+std::string schedule_yaml(const Schedule& schedule, const DayClock& clock);
+
+/// The effects that are active during a tick, by (fault, region). Pure.
+Faults faults_at(const Schedule& schedule, const DayClock& clock, int tick);
+
+/// Ticks [first, last) in which a fault acts: from the tick nearest to its start to the one nearest to its end, at
+/// least one. `last` may lie beyond the day.
+struct TickWindow {
+  int first = 0;
+  int last = 0;
+
+  bool holds(int tick) const { return first <= tick && tick < last; }
+};
+TickWindow tick_window(const Fault& fault, const DayClock& clock);
+
+}  // namespace evbal

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "faults/schedule/schedule.hpp"
+
+#include <string>
+
+namespace evbal::testing {
+
+/// A day from 05:00 to 24:00 and five regions, of which 1, 3 and 4 have charging points.
+inline Place small_place() {
+  return {DayClock{}, {0, 4, 0, 12, 20}};
+}
+
+inline Schedule read_text(const std::string& text, const Place& place = small_place()) {
+  YamlMap map(YamlValue::parse(text, "faults.yaml"));
+  auto schedule = read_schedule(map, place);
+  map.finish();
+  return schedule;
+}
+
+}  // namespace evbal::testing

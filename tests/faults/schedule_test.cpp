@@ -1,0 +1,232 @@
+#include "faults/schedule/schedule.hpp"
+
+#include "tests/faults/schedule_fixture.hpp"
+
+#include <gtest/gtest.h>
+
+namespace evbal {
+namespace {
+
+using testing::read_text;
+using testing::small_place;
+
+const std::string spike =
+    "{name: spike, type: demand.scale, target: {regions: [2, 0]}, start: \"17:30\", duration: 90min, magnitude: 1.8";
+const std::string outage =
+    "{name: outage, type: charger.outage, target: {regions: [1]}, start: \"07:30\", duration: 2h, "
+    "magnitude: {fraction_of_points: 0.5}";
+
+/// The head takes the first line, so that the faults begin on line 2.
+std::string schedule_of(const std::vector<std::string>& faults, const std::string& head = "") {
+  std::string text = "{schema: 1, seed: 7, " + head + "faults: [\n";
+  for (const auto& fault : faults) {
+    text += fault + "},\n";
+  }
+  return text + "]}\n";
+}
+
+TEST(Schedule, ReadsWhatIsWritten) {
+  const auto schedule = read_text(schedule_of({spike + ", ramp: 15min, visible: false", outage + ", on_start: evict"},
+                                              "guard: {max_active: 2, min_working_points: 3, overlap: reject}, "));
+  EXPECT_EQ(schedule.seed, 7U);
+  EXPECT_EQ(schedule.guard, (Guard{2, 3}));
+  ASSERT_EQ(schedule.faults.size(), 2U);
+  EXPECT_EQ(schedule.faults[0], (Fault{.name = "spike",
+                                       .type = EffectType::demand_scale,
+                                       .regions = {0, 2},
+                                       .magnitudes = {1.8, 1.8},
+                                       .start = 12 * 60 + 30,
+                                       .duration = 90,
+                                       .ramp = 15,
+                                       .visible = false}));
+  EXPECT_EQ(schedule.faults[1], (Fault{.name = "outage",
+                                       .type = EffectType::charger_outage,
+                                       .regions = {1},
+                                       .magnitudes = {2},
+                                       .start = 150,
+                                       .duration = 120,
+                                       .on_start = OnStart::evict}));
+}
+
+TEST(Schedule, PicksAmongTheRegionsThatFit) {
+  const std::string head = "{name: hub, type: charger.outage, start: \"08:00\", duration: 1h, ";
+  const auto two =
+      read_text(schedule_of({head + "target: {pick: 2, of: {min_points: 10}}, magnitude: {fraction_of_points: 1}"}));
+  EXPECT_EQ(two.faults.at(0).regions, (std::vector<int>{3, 4}));
+  EXPECT_EQ(two.faults.at(0).magnitudes, (std::vector<double>{12, 20}));
+  const auto any = read_text(schedule_of({head + "target: {pick: 3}, magnitude: {points: 4}"}));
+  EXPECT_EQ(any.faults.at(0).regions, (std::vector<int>{1, 3, 4}));
+  EXPECT_EQ(any.faults.at(0).magnitudes, (std::vector<double>{4, 4, 4}));
+  const auto one = read_text(
+      schedule_of({head + "target: {pick: 1, of: {regions: [4]}}, magnitude: {points: {uniform: {min: 5, max: 6}}}"}));
+  EXPECT_EQ(one.faults.at(0).regions, (std::vector<int>{4}));
+}
+
+TEST(Schedule, RepeatsWithinTheArrivalsWindow) {
+  const auto schedule =
+      read_text(schedule_of({"{name: blink, type: demand.scale, target: {pick: 1}, magnitude: 2, duration: 1min, "
+                             "arrivals: {poisson: {per_hour: 3, from: \"07:00\", to: \"22:00\"}}"}));
+  ASSERT_GT(schedule.faults.size(), 20U);  // 45 expected
+  ASSERT_LT(schedule.faults.size(), 75U);
+  EXPECT_EQ(schedule.faults[0].name, "blink-1");
+  for (const auto& fault : schedule.faults) {
+    EXPECT_GE(fault.start, 120);
+    EXPECT_LT(fault.start, 17 * 60);
+  }
+}
+
+TEST(Schedule, DrawsOfAFaultDependOnItsOwnNameOnly) {
+  const std::string open =
+      "{name: b, type: demand.scale, target: {pick: 2}, start: {uniform: {min: \"06:00\", max: \"20:00\"}}, "
+      "duration: {lognormal: {median: 40min, sigma: 0.6}}, magnitude: {normal: {mean: 1.8, sd: 0.2, min: 1}}";
+  const auto alone = read_text(schedule_of({open}));
+  const auto after = read_text(schedule_of({outage, open}));
+  EXPECT_EQ(alone.faults.at(0), after.faults.at(1));
+}
+
+struct Refusal {
+  std::string text;
+  int line;
+  std::string hint;
+};
+
+void expect_refused(const Refusal& refusal) {
+  try {
+    read_text(refusal.text);
+    FAIL() << "was accepted:\n" << refusal.text;
+  } catch (const Error& error) {
+    const std::string what = error.what();
+    EXPECT_EQ(error.status(), ExitStatus::bad_input);
+    EXPECT_TRUE(what.starts_with("faults.yaml:" + std::to_string(refusal.line) + ": ")) << what;
+    EXPECT_NE(what.find(refusal.hint), std::string::npos) << what;
+  }
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const auto at = text.find(from);
+  assert(at != std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
+Refusal spike_with(const std::string& from, const std::string& to, const std::string& hint) {
+  return {schedule_of({replaced(spike, from, to)}), 2, hint};
+}
+
+Refusal outage_with(const std::string& from, const std::string& to, const std::string& hint) {
+  return {schedule_of({replaced(outage, from, to)}), 2, hint};
+}
+
+TEST(Schedule, RefusesAFaultThatIsWrong) {
+  for (const auto& refusal : std::vector<Refusal>{
+           spike_with("demand.scale", "sensor.stuck", "choose one of `demand.scale`, `charger.outage`"),
+           spike_with("demand.scale", "demand.scal", "did you mean `demand.scale`"),
+           spike_with("name: spike, ", "", "`name` is missing"),
+           spike_with("name: spike", "name: \"a b\"", "is no name"),
+           spike_with("magnitude", "magnitud", "`magnitude` is missing"),
+           spike_with("magnitude: 1.8", "magnitude: 1.8, mood: bad", "unknown key `mood`"),
+           spike_with("magnitude: 1.8", "magnitude: 1.8, on_start: evict", "unknown key `on_start`"),
+           spike_with("magnitude: 1.8", "magnitude: -1", "from 0 to 100"),
+           spike_with("magnitude: 1.8", "magnitude: {fraction_of_points: 1}", "one distribution"),
+           spike_with("magnitude: 1.8", "magnitude: {norml: {mean: 1, sd: 1}}", "did you mean `normal`"),
+           spike_with("magnitude: 1.8", "magnitude: {normal: {mean: 1}}", "`sd` is missing"),
+           spike_with("magnitude: 1.8", "magnitude: {normal: {mean: 1, sd: 0}}", "greater than 0"),
+           spike_with("magnitude: 1.8", "magnitude: {normal: {mean: 1, sd: 1, mni: 0}}", "unknown key `mni`"),
+           spike_with("magnitude: 1.8", "magnitude: {uniform: {min: 2, max: 1}}", "min is greater than max"),
+           spike_with("magnitude: 1.8", "magnitude: 1.8, visible: maybe", "neither `true` nor `false`"),
+           spike_with("magnitude: 1.8", "magnitude: 1.8, ramp: 50min", "at most half of the duration"),
+           spike_with("90min", "90", "such as 30min"),
+           spike_with("90min", "90s", "whole minutes"),
+           spike_with("90min", "25h", "from 1min to 1440min"),
+           spike_with("90min", "{lognormal: {median: 40, sigma: 0.6}}", "such as 30min"),
+           spike_with("[2, 0]", "[2, 5]", "from 0 to 4"),
+           spike_with("[2, 0]", "[2, 2]", "given twice"),
+           spike_with("[2, 0]", "[]", "names no region"),
+           spike_with("{regions: [2, 0]}", "{region: 2}", "did you mean `regions`"),
+           spike_with("{regions: [2, 0]}", "{regions: [2], pick: 1}", "either `regions: [..]` or `pick: n`"),
+           spike_with("{regions: [2, 0]}", "{pick: 6}", "from 1 to 5"),
+           spike_with("{regions: [2, 0]}", "{pick: 1, of: {min_points: 21}}", "no region fits"),
+           spike_with("\"17:30\"", "\"04:59\"", "from 05:00 to 23:59"),
+           spike_with("\"17:30\"", "5.30pm", "is no time of day"),
+           spike_with("\"17:30\"", "{exponential: {mean: 5min}}", "`uniform`, `normal`"),
+           spike_with("start: \"17:30\", ", "", "either `start` or `arrivals`"),
+           spike_with("start: \"17:30\"", "arrivals: {poisson: {per_hour: 0}}", "from 0.001 to 60"),
+           spike_with("start: \"17:30\"", "arrivals: {poisson: {per_hour: 1, from: \"04:00\"}}", "within the day"),
+           outage_with("[1]", "[2]", "those with points are 1, 3, 4"),
+           outage_with("duration: 2h", "duration: 2h, ramp: 5min", "unknown key `ramp`"),
+           outage_with("duration: 2h", "duration: 2h, on_start: explode", "choose one of `drain`, `evict`"),
+           outage_with("{fraction_of_points: 0.5}", "0.5", "expected a map"),
+           outage_with("{fraction_of_points: 0.5}", "{fraction_of_points: 1.5}", "from 0.01 to 1"),
+           outage_with("{fraction_of_points: 0.5}", "{points: 5}", "at most 4"),
+           outage_with("{fraction_of_points: 0.5}", "{points: 1, fraction_of_points: 1}", "either"),
+       }) {
+    expect_refused(refusal);
+  }
+}
+
+TEST(Schedule, RefusesAHeadThatIsWrong) {
+  for (const auto& refusal : std::vector<Refusal>{
+           {"seed: 1\nfaults: []\n", 1, "`schema` is missing"},
+           {"schema: 2\nfaults: []\n", 1, "from 1 to 1"},
+           {"schema: 1\n", 1, "`faults` is missing"},
+           {"schema: 1\nfaults: {}\n", 2, "expected a list"},
+           {"schema: 1\nseed: -1\nfaults: []\n", 2, "is no seed"},
+           {"schema: 1\nfaults: []\nguards: {}\n", 3, "did you mean `guard`"},
+           {"schema: 1\nguard: {overlap: add}\nfaults: []\n", 2, "choose one of `reject`"},
+           {"schema: 1\nguard:\n  max_active: 0\nfaults: []\n", 3, "from 1 to 1000"},
+       }) {
+    expect_refused(refusal);
+  }
+}
+
+TEST(Schedule, RefusesWhatTheGuardForbids) {
+  const auto other = [](std::string fault) { return replaced(std::move(fault), "name: ", "name: other-"); };
+  for (const auto& refusal : std::vector<Refusal>{
+           {schedule_of({spike, spike}), 3, "has the name of `spike` (line 2)"},
+           {schedule_of({spike, replaced(other(spike), "17:30", "18:55")}), 3,
+            "`other-spike` (line 3) overlaps `spike` (line 2): both are demand.scale in region 0 from 18:55 to 19:00"},
+           {schedule_of({outage, spike, replaced(other(spike), "[2, 0]", "[1]")}, "guard: {max_active: 1}, "), 4,
+            "2 faults are active at 17:30"},
+           {schedule_of({outage}, "guard: {min_working_points: 35}, "), 2,
+            "leaves 34 charging points working at 07:30"},
+       }) {
+    expect_refused(refusal);
+  }
+}
+
+TEST(Schedule, AcceptsWhatTheGuardAllows) {
+  const auto other = [](std::string fault) { return replaced(std::move(fault), "name: ", "name: other-"); };
+  EXPECT_NO_THROW(read_text(schedule_of({spike, replaced(other(spike), "17:30", "19:00")})));
+  EXPECT_NO_THROW(read_text(schedule_of({spike, replaced(other(spike), "[2, 0]", "[1, 3]")})));
+  EXPECT_NO_THROW(read_text(schedule_of({outage}, "guard: {min_working_points: 34, max_active: 1}, ")));
+}
+
+TEST(Schedule, RefusesAResolvedListThatWasAltered) {
+  const std::string good =
+      "schema: 1\nresolved: true\nfaults:\n  - {name: a, type: charger.outage, target: {regions: [1, 3]}, "
+      "magnitude: [4, 1], start: \"07:00\", duration: 5min, on_start: drain, visible: true}\n";
+  ASSERT_NO_THROW(read_text(good));
+  for (const auto& refusal : std::vector<Refusal>{
+           {replaced(good, "[4, 1]", "[4]"), 4, "one magnitude for each"},
+           {replaced(good, "[4, 1]", "[5, 1]"), 4, "from 1 to 4"},
+           {replaced(good, "[4, 1]", "[4, 0.5]"), 4, "whole number"},
+           {replaced(good, "07:00", "24:00"), 4, "outside of the day"},
+           {replaced(good, "5min", "{uniform: {min: 1min, max: 2min}}"), 4, "expected a duration"},
+           {replaced(good, "on_start: drain, ", ""), 4, "`on_start` is missing"},
+       }) {
+    expect_refused(refusal);
+  }
+}
+
+TEST(Schedule, InjectorTakesAResolvedListOnly) {
+  const auto read = [](const std::string& text) {
+    YamlMap scenario(YamlValue::parse(text, "scenario.resolved.yaml"));
+    return read_resolved(scenario, small_place());
+  };
+  EXPECT_EQ(read("faults: {schema: 1, resolved: true, seed: 3, faults: []}\n").seed, 3U);
+  EXPECT_THROW(read("faults: {schema: 1, faults: []}\n"), Error);
+  EXPECT_THROW(read("faults: {schema: 1, resolved: false, faults: []}\n"), Error);
+  EXPECT_THROW(read("city: toy-5\n"), Error);
+}
+
+}  // namespace
+}  // namespace evbal
