@@ -16,3 +16,5 @@ add_library(evbal::mrpt_math ALIAS evbal_mrpt_math)
 target_link_libraries(evbal_mrpt_math INTERFACE mrpt::math)
 
 find_package(CLI11 REQUIRED)
+find_package(SQLiteCpp REQUIRED)
+find_package(nlohmann_json REQUIRED)

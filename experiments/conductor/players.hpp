@@ -14,6 +14,13 @@ struct Exchange {
   std::vector<Departures> departures;  ///< by region
 };
 
+/// One tick as the conductor saw it.
+struct TickRecord {
+  Faults faults;
+  Tick tick;
+  Exchange exchange;
+};
+
 /// Everybody but the conductor: agents, coordinator and injector, as processes on the bus or as objects in this one.
 class Players {
  public:

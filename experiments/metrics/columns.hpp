@@ -1,0 +1,77 @@
+#pragma once
+
+#include "experiments/metrics/metrics.hpp"
+
+/// The numbers of each row by name, in the order of the files: `visit("name", value)`.
+namespace evbal {
+
+template <class Visit>
+void columns(Visit&& visit, const Flows& f) {
+  visit("demand", f.demand);
+  visit("served", f.served);
+  visit("lost", f.lost);
+  visit("wait_minutes", f.wait_minutes);
+  visit("completions", f.completions);
+  visit("queue_minutes", f.queue_minutes);
+  visit("stranded", f.stranded);
+  visit("refused", f.refused);
+  visit("rebalance_moves", f.rebalance_moves);
+  visit("charge_moves", f.charge_moves);
+  visit("rebalance_km", f.rebalance_km);
+  visit("charge_km", f.charge_km);
+  visit("passenger_km", f.passenger_km);
+  visit("charged_kwh", f.charged_kwh);
+}
+
+template <class Visit>
+void columns(Visit&& visit, const Stocks& s) {
+  visit("vacant", s.vacant);
+  visit("low_battery", s.low_battery);
+  visit("plugged", s.plugged);
+  visit("points", s.points);
+  visit("waiting", s.waiting);
+}
+
+template <class Visit>
+void columns(Visit&& visit, const Unfairness& u) {
+  visit("unfairness_demand", u.demand);
+  visit("unfairness_charging", u.charging);
+  visit("unfairness_demand_shares", u.demand_shares);
+  visit("unfairness_charging_shares", u.charging_shares);
+  visit("unfairness_demand_drop_offs", u.demand_drop_offs);
+}
+
+template <class Visit>
+void columns(Visit&& visit, const RegionStep& r) {
+  visit("step", r.step);
+  visit("region", r.region);
+  columns(visit, r.flows);
+  columns(visit, r.stocks);
+  visit("supply", r.supply);
+  visit("low_battery_present", r.low_battery_present);
+}
+
+template <class Visit>
+void columns(Visit&& visit, const CityStep& c) {
+  visit("step", c.step);
+  visit("idle_km", c.idle_km);
+  columns(visit, c.unfairness);
+  columns(visit, c.flows);
+  columns(visit, c.stocks);
+  visit("under_way", c.under_way);
+}
+
+template <class Visit>
+void columns(Visit&& visit, const Totals& t) {
+  visit("idle_km", t.idle_km);
+  columns(visit, t.unfairness);
+  columns(visit, t.flows);
+  visit("unserved_ratio", t.unserved_ratio);
+  visit("p90_regional_loss", t.p90_regional_loss);
+  visit("passenger_wait_min", t.passenger_wait_min);
+  visit("charger_wait_min", t.charger_wait_min);
+  visit("charger_wait_min_per_session", t.charger_wait_min_per_session);
+  visit("idle_km_per_served", t.idle_km_per_served);
+}
+
+}  // namespace evbal

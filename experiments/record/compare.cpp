@@ -1,0 +1,131 @@
+#include "experiments/record/compare.hpp"
+
+#include "experiments/record/compare_days.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+#include <sstream>
+#include <vector>
+
+namespace evbal {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+using Difference = std::optional<std::string>;
+
+std::vector<std::string> split(const std::string& line, char separator) {
+  std::vector<std::string> parts;
+  std::istringstream in(line);
+  for (std::string part; std::getline(in, part, separator);) {
+    parts.push_back(part);
+  }
+  return parts;
+}
+
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+std::string cell(const std::vector<std::string>& cells, std::size_t column) {
+  return column < cells.size() ? "`" + cells[column] + "`" : "missing";
+}
+
+/// "step 5 (tick 30), region 3", from the cells of a row of steps.csv or regions.csv.
+std::string place_of(const std::vector<std::string>& names, const std::vector<std::string>& cells,
+                     const DayClock& clock) {
+  std::string place;
+  for (std::size_t i = 0; i < names.size() && i < cells.size(); ++i) {
+    if (names[i] == "step") {
+      const int tick = std::stoi(cells[i]) * (clock.step / clock.tick);
+      place += "step " + cells[i] + " (tick " + std::to_string(tick) + ")";
+    } else if (names[i] == "region") {
+      place += ", region " + cells[i];
+    }
+  }
+  return place;
+}
+
+Difference compare_csv(const fs::path& recorded, const fs::path& replayed, const DayClock& clock) {
+  const std::string was = text_of(recorded);
+  const std::string is = text_of(replayed);
+  if (was == is) {
+    return std::nullopt;
+  }
+  const auto was_lines = split(was, '\n');
+  const auto is_lines = split(is, '\n');
+  const std::string file = recorded.filename().string() + ": ";
+  const auto names = split(is_lines.front(), ',');
+  for (std::size_t row = 0; row < is_lines.size(); ++row) {
+    const auto was_cells = row < was_lines.size() ? split(was_lines[row], ',') : std::vector<std::string>{};
+    const auto is_cells = split(is_lines[row], ',');
+    for (std::size_t column = 0; column < std::max(was_cells.size(), is_cells.size()); ++column) {
+      if (cell(was_cells, column) != cell(is_cells, column)) {
+        const std::string place = row == 0 ? "header" : place_of(names, is_cells, clock);
+        const std::string name = column < names.size() ? names[column] : "a further column";
+        return file + place + ": " + name + " is " + cell(was_cells, column) + ", the replay gives " +
+               cell(is_cells, column);
+      }
+    }
+  }
+  return file + "has " + std::to_string(was_lines.size()) + " lines, the replay gives " +
+         std::to_string(is_lines.size());
+}
+
+/// Drops what depends on how the run was made.
+void forget_circumstances(Json& summary) {
+  for (const char* key : {"processes", "step_seconds", "wall_seconds"}) {
+    summary.erase(key);
+  }
+  if (summary.contains("solver") && summary["solver"].is_object()) {
+    for (const char* key : {"seconds", "seconds_median", "seconds_max"}) {
+      summary["solver"].erase(key);
+    }
+  }
+}
+
+Difference compare_summaries(const fs::path& recorded, const fs::path& replayed) {
+  Json was = Json::parse(text_of(recorded), nullptr, false);
+  Json is = Json::parse(text_of(replayed), nullptr, false);
+  if (was.is_discarded() || !was.is_object()) {
+    return "summary.json: cannot be read as JSON";
+  }
+  forget_circumstances(was);
+  forget_circumstances(is);
+  const Json was_values = was.flatten();
+  const Json is_values = is.flatten();
+  for (const auto& [key, value] : is_values.items()) {
+    if (!was_values.contains(key) || was_values.at(key) != value) {
+      const std::string said = was_values.contains(key) ? was_values.at(key).dump() : "missing";
+      return key == "/scenario_digest"
+                 ? "scenario.resolved.yaml: is not the text that the run was made from (all ticks and regions agree)"
+                 : "summary.json: " + key.substr(1) + " is " + said + ", the replay gives " + value.dump();
+    }
+  }
+  for (const auto& [key, value] : was_values.items()) {
+    if (!is_values.contains(key)) {
+      return "summary.json: " + key.substr(1) + " is " + value.dump() + ", the replay has no such entry";
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Difference first_difference(const fs::path& recorded, const fs::path& replayed, const DayClock& clock) {
+  if (auto found = compare_days(recorded / "run.sqlite", replayed / "run.sqlite")) {
+    return found;
+  }
+  for (const char* name : {"steps.csv", "regions.csv"}) {
+    if (auto found = compare_csv(recorded / name, replayed / name, clock)) {
+      return found;
+    }
+  }
+  return compare_summaries(recorded / "summary.json", replayed / "summary.json");
+}
+
+}  // namespace evbal

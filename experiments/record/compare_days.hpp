@@ -1,0 +1,13 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace evbal {
+
+/// The first difference, in the order of ticks, between two files of DayFile as "run.sqlite: table, tick 41, region 7:
+/// column is 3, the replay gives 4". Columns of a message's origin are left out.
+std::optional<std::string> compare_days(const std::filesystem::path& recorded, const std::filesystem::path& replayed);
+
+}  // namespace evbal

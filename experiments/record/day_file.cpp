@@ -1,0 +1,163 @@
+#include "experiments/record/day_file.hpp"
+
+#include "experiments/record/row.hpp"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <optional>
+
+namespace evbal {
+namespace {
+
+class Table {
+ public:
+  /// `like` gives the columns' names and types.
+  Table(SQLite::Database& database, const std::string& name, const Row& like) {
+    std::string columns;
+    std::string places;
+    for (const auto& cell : like) {
+      static constexpr std::array types = {"INTEGER", "REAL", "TEXT"};
+      columns += (columns.empty() ? "" : ", ") + cell.name + " " + types.at(cell.value.index());
+      places += places.empty() ? "?" : ", ?";
+    }
+    database.exec("CREATE TABLE " + name + " (" + columns + ")");
+    insert_.emplace(database, "INSERT INTO " + name + " VALUES (" + places + ")");
+  }
+
+  void add(const Row& row) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      std::visit([&](const auto& value) { insert_->bind(static_cast<int>(i) + 1, value); }, row[i].value);
+    }
+    insert_->exec();
+    insert_->reset();
+  }
+
+ private:
+  std::optional<SQLite::Statement> insert_;
+};
+
+Row tick_key(int tick, std::size_t seq) {
+  return {{"tick", std::int64_t{tick}}, {"seq", static_cast<std::int64_t>(seq)}};
+}
+
+Row region_key(int tick, int region, std::size_t seq) {
+  return {{"tick", std::int64_t{tick}}, {"region", std::int64_t{region}}, {"seq", static_cast<std::int64_t>(seq)}};
+}
+
+Row event_row(int tick, std::size_t seq, const std::string& kind, const std::string& what) {
+  Row row = tick_key(tick, seq);
+  row.push_back({"kind", kind});
+  row.push_back({"what", what});
+  return row;
+}
+
+Row region_row(std::size_t region, const std::string& name, int points) {
+  return {{"region", static_cast<std::int64_t>(region)}, {"name", name}, {"points", std::int64_t{points}}};
+}
+
+Row fault_row(std::size_t position, const RequestedFault& fault) {
+  return {{"fault", static_cast<std::int64_t>(position)},
+          {"name", fault.name},
+          {"type", fault.type},
+          {"start", std::int64_t{fault.start}},
+          {"end", std::int64_t{fault.end}}};
+}
+
+SQLite::Database created(const std::filesystem::path& file) {
+  SQLite::Database database(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  // The record of a run that dies with its machine is marked incomplete anyway: no need to wait for the disk.
+  database.exec("PRAGMA synchronous = OFF");
+  return database;
+}
+
+}  // namespace
+
+struct DayFile::Tables {
+  explicit Tables(const std::filesystem::path& file)
+      : database(created(file)),
+        transaction(std::in_place, database),
+        regions(database, "regions", region_row(0, "", 0)),
+        faults(database, "faults", fault_row(0, {})),
+        injector(database, "injector", row_of({}, Faults{})),
+        effects(database, "effects", row_of(tick_key(0, 0), Effect{})),
+        observed(database, "observed", row_of(region_key(0, 0, 0), Observed{})),
+        reports(database, "reports", row_of({}, Report{})),
+        plans(database, "plans", row_of({}, Plan{})),
+        moves(database, "moves", row_of(tick_key(0, 0), Move{})),
+        departures(database, "departures", row_of({}, Departures{})),
+        vehicles(database, "vehicles", row_of(region_key(0, 0, 0), Departure{})),
+        fates(database, "fates", row_of(region_key(0, 0, 0), Fate{})),
+        events(database, "events", event_row(0, 0, "", "")) {}
+
+  SQLite::Database database;
+  std::optional<SQLite::Transaction> transaction;
+  Table regions;
+  Table faults;
+  Table injector;
+  Table effects;
+  Table observed;
+  Table reports;
+  Table plans;
+  Table moves;
+  Table departures;
+  Table vehicles;
+  Table fates;
+  Table events;
+  int event_tick = -1;
+  std::size_t event_seq = 0;
+};
+
+DayFile::DayFile(const std::filesystem::path& file, const std::vector<std::string>& region_names,
+                 const std::vector<int>& points, const std::vector<RequestedFault>& faults)
+    : tables_(std::make_unique<Tables>(file)) {
+  for (std::size_t i = 0; i < region_names.size(); ++i) {
+    tables_->regions.add(region_row(i, region_names[i], points[i]));
+  }
+  for (std::size_t i = 0; i < faults.size(); ++i) {
+    tables_->faults.add(fault_row(i, faults[i]));
+  }
+  commit();
+}
+
+DayFile::~DayFile() = default;
+
+void DayFile::add(const TickRecord& record) {
+  const int tick = record.tick.tick;
+  tables_->injector.add(row_of({}, record.faults));
+  for (std::size_t i = 0; i < record.faults.effects.size(); ++i) {
+    tables_->effects.add(row_of(tick_key(tick, i), record.faults.effects[i]));
+  }
+  for (const auto& report : record.exchange.reports) {
+    tables_->reports.add(row_of({}, report));
+  }
+  if (record.exchange.plan) {
+    tables_->plans.add(row_of({}, *record.exchange.plan));
+    for (std::size_t i = 0; i < record.exchange.plan->moves.size(); ++i) {
+      tables_->moves.add(row_of(tick_key(tick, i), record.exchange.plan->moves[i]));
+    }
+  }
+  const auto add_all = [tick](Table& table, int region, const auto& messages) {
+    for (std::size_t i = 0; i < messages.size(); ++i) {
+      table.add(row_of(region_key(tick, region, i), messages[i]));
+    }
+  };
+  for (const auto& said : record.exchange.departures) {
+    tables_->departures.add(row_of({}, said));
+    add_all(tables_->vehicles, said.region, said.departures);
+    add_all(tables_->fates, said.region, said.fates);
+    add_all(tables_->observed, said.region, said.observed);
+  }
+}
+
+void DayFile::event(int tick, const std::string& kind, const std::string& what) {
+  tables_->event_seq = tick == tables_->event_tick ? tables_->event_seq + 1 : 0;
+  tables_->event_tick = tick;
+  tables_->events.add(event_row(tick, tables_->event_seq, kind, what));
+}
+
+void DayFile::commit() {
+  tables_->transaction->commit();
+  tables_->transaction.emplace(tables_->database);
+}
+
+}  // namespace evbal

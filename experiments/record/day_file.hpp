@@ -1,0 +1,59 @@
+#pragma once
+
+#include "experiments/conductor/players.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace evbal {
+
+/// A fault as requested, for the record.
+struct RequestedFault {
+  std::string name;
+  std::string type;
+  int start = 0;  ///< minute
+  int end = 0;    ///< minute
+};
+
+/// Writes run.sqlite: everything that was said in a day, in tables named after the messages, with one column per
+/// number, enum or text of the message and the names of its fields. A field that is itself a message gives columns
+/// `<field>_<part>`; `from` and `to`, which SQL reserves, are `from_region` and `to_region`; a list of numbers is a
+/// text of them, separated by spaces.
+///
+///     regions     region, name, points                       as installed
+///     faults      fault, name, type, start, end              requested: the resolved schedule, in minutes
+///     effects     tick, seq, fault, type, region, ...        requested, tick by tick, as the injector said
+///     observed    tick, region, seq, fault, amount, evicted  what each fault was seen to do
+///     reports     tick, region, vacant, ..., bound, ...      bound: "minute:errand:count" of the cars on their way
+///     plans       tick, provenance_controller, ...
+///     moves       tick, seq, from_region, to_region, count, errand      what plans ask for
+///     departures  tick, region, refused, demand, ...         what became of the region in the tick
+///     vehicles    tick, region, seq, minute, to_region, errand, vehicle_id, km, ...      who set off
+///     fates       tick, region, seq, appeared, waited, served, ...      passengers
+///     events      tick, seq, kind, what                      a fault begins or ends, a plan falls back
+///
+/// `seq` counts the like entries of one message. Columns `origin_process_id` and `origin_seconds` (effects have none)
+/// name the writer of a message and its CPU seconds; they and nothing else differ between two runs of a scenario.
+class DayFile {
+ public:
+  /// Creates the file, which must not exist.
+  DayFile(const std::filesystem::path& file, const std::vector<std::string>& region_names,
+          const std::vector<int>& points, const std::vector<RequestedFault>& faults);
+  ~DayFile();
+
+  /// Adds a tick; it is durable after the next commit().
+  void add(const TickRecord& record);
+
+  void event(int tick, const std::string& kind, const std::string& what);
+
+  /// Ends the transaction that is open and begins another.
+  void commit();
+
+ private:
+  struct Tables;
+  std::unique_ptr<Tables> tables_;
+};
+
+}  // namespace evbal

@@ -1,0 +1,104 @@
+#pragma once
+
+#include "agents/protocol/fields.hpp"
+#include "experiments/record/text.hpp"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace evbal {
+
+/// One column of a row of run.sqlite.
+struct Cell {
+  std::string name;
+  std::variant<std::int64_t, double, std::string> value;
+};
+
+using Row = std::vector<Cell>;
+
+inline const char* word(Errand errand) {
+  return std::array{"passenger", "rebalance", "charge"}.at(static_cast<std::size_t>(errand));
+}
+
+inline const char* word(EffectType type) {
+  return std::array{"demand.scale", "charger.outage"}.at(static_cast<std::size_t>(type));
+}
+
+inline const char* word(OnStart on_start) {
+  return std::array{"drain", "evict"}.at(static_cast<std::size_t>(on_start));
+}
+
+inline const char* word(FallbackLevel level) {
+  return std::array{"none", "nominal", "shifted", "hold"}.at(static_cast<std::size_t>(level));
+}
+
+/// Appends the columns of a message to a row (day_file.hpp says which).
+class RowWriter {
+ public:
+  explicit RowWriter(Row& row, std::string prefix = "") : row_(row), prefix_(std::move(prefix)) {}
+
+  template <class Field>
+  void operator()(const char* name, const Field& field) {
+    const std::string column = prefix_ + name;
+    const bool reserved = column == "from" || column == "to";
+    write(reserved ? column + "_region" : column, field);
+  }
+
+ private:
+  template <class Number>
+  requires std::is_integral_v<Number>
+  void write(const std::string& name, Number value) { row_.push_back({name, std::int64_t{value}}); }
+
+  void write(const std::string& name, double value) { row_.push_back({name, value}); }
+
+  void write(const std::string& name, const std::string& value) { row_.push_back({name, value}); }
+
+  template <class Word>
+  requires std::is_enum_v<Word>
+  void write(const std::string& name, Word value) { row_.push_back({name, std::string(word(value))}); }
+
+  void write(const std::string& name, const std::vector<std::int32_t>& values) {
+    std::string text;
+    for (const auto value : values) {
+      text += (text.empty() ? "" : " ") + std::to_string(value);
+    }
+    row_.push_back({name, text});
+  }
+
+  void write(const std::string& name, const std::vector<UnderWay>& cars) {
+    std::string text;
+    for (const auto& car : cars) {
+      text += (text.empty() ? "" : " ") + std::to_string(car.minute) + ":" + word(car.errand) + ":" +
+              std::to_string(car.count);
+    }
+    row_.push_back({name, text});
+  }
+
+  /// Lists of messages are tables of their own.
+  template <class Message>
+  requires std::is_class_v<Message>
+  void write(const std::string& /*name*/, const std::vector<Message>& /*messages*/) {}
+
+  template <class Message>
+  requires std::is_class_v<Message>
+  void write(const std::string& name, const Message& message) {
+    RowWriter part(row_, name + "_");
+    fields(part, message);
+  }
+
+  Row& row_;
+  std::string prefix_;
+};
+
+/// The key's columns, then the message's.
+template <class Message>
+Row row_of(Row key, const Message& message) {
+  RowWriter writer(key);
+  fields(writer, message);
+  return key;
+}
+
+}  // namespace evbal

@@ -1,0 +1,162 @@
+#include "experiments/record/run_record.hpp"
+
+#include "agents/protocol/fingerprint.hpp"
+#include "common/error.hpp"
+#include "experiments/record/csv.hpp"
+#include "experiments/record/row.hpp"
+#include "experiments/record/summary.hpp"
+
+#include <cassert>
+#include <fstream>
+#include <set>
+#include <system_error>
+
+namespace evbal {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Makes `folder` and says whether it was not there before.
+bool prepare(const fs::path& folder) {
+  std::error_code error;
+  if (fs::exists(folder, error) && !(fs::is_directory(folder, error) && fs::is_empty(folder, error))) {
+    throw bad_input(folder.string() + ": is there and not an empty directory; give a new one with --out");
+  }
+  const bool created = fs::create_directories(folder, error);
+  if (error) {
+    throw bad_input(folder.string() + ": cannot be made (" + error.message() + "); give another one with --out");
+  }
+  return created;
+}
+
+void write_file(const fs::path& file, const std::string& text) {
+  std::ofstream out(file, std::ios::binary | std::ios::trunc);
+  out << text;
+  out.close();
+  if (!out) {
+    throw run_failed(file.string() + ": cannot be written");
+  }
+}
+
+void add_to(Digest& digest, const TickRecord& record) {
+  fingerprint(digest, record.faults);
+  for (const auto& report : record.exchange.reports) {
+    fingerprint(digest, report);
+  }
+  if (record.exchange.plan) {
+    fingerprint(digest, *record.exchange.plan);
+  }
+  for (const auto& said : record.exchange.departures) {
+    fingerprint(digest, said);
+  }
+}
+
+std::set<int> active_faults(const TickRecord& record) {
+  std::set<int> active;
+  for (const auto& effect : record.faults.effects) {
+    active.insert(effect.fault);
+  }
+  return active;
+}
+
+}  // namespace
+
+std::string digest_of(const std::vector<TickRecord>& ticks) {
+  Digest digest;
+  for (const auto& record : ticks) {
+    add_to(digest, record);
+  }
+  return digest.hex();
+}
+
+RunRecord::RunRecord(fs::path folder, RunHeader header)
+    : folder_(std::move(folder)),
+      header_(std::move(header)),
+      created_folder_(prepare(folder_)),
+      file_(folder_ / "run.sqlite", header_.region_names, header_.frame.points, header_.faults),
+      start_(Clock::now()),
+      last_(start_) {
+  write_file(folder_ / "scenario.resolved.yaml", header_.resolved);
+  mark_incomplete();
+}
+
+RunRecord::~RunRecord() {
+  std::error_code ignored;
+  if (finished_) {
+    return;
+  }
+  if (ticks_.empty()) {
+    for (const char* name : {"run.sqlite", "run.sqlite-journal", "scenario.resolved.yaml", "INCOMPLETE"}) {
+      fs::remove(folder_ / name, ignored);
+    }
+    if (created_folder_) {
+      fs::remove(folder_, ignored);
+    }
+    return;
+  }
+  try {
+    file_.commit();
+    mark_incomplete();
+  } catch (const std::exception&) {
+    // The mark of the last step is still there.
+  }
+}
+
+void RunRecord::mark_incomplete() const {
+  const DayClock& clock = header_.frame.clock;
+  const int done = static_cast<int>(ticks_.size());
+  write_file(folder_ / "INCOMPLETE", "recorded " + std::to_string(done) + " of " + std::to_string(clock.ticks()) +
+                                         " ticks, until " + time_of_day(clock, clock.minute_of(done)) + "\n");
+}
+
+void RunRecord::note_events(const TickRecord& record) {
+  const auto now = active_faults(record);
+  const auto before = ticks_.empty() ? std::set<int>{} : active_faults(ticks_.back());
+  const auto name = [this](int fault) { return header_.faults.at(static_cast<std::size_t>(fault)).name; };
+  for (const int fault : now) {
+    if (!before.contains(fault)) {
+      file_.event(record.tick.tick, "fault begins", name(fault));
+    }
+  }
+  for (const int fault : before) {
+    if (!now.contains(fault)) {
+      file_.event(record.tick.tick, "fault ends", name(fault));
+    }
+  }
+  if (record.exchange.plan && record.exchange.plan->provenance.fallback != FallbackLevel::none) {
+    const Provenance& provenance = record.exchange.plan->provenance;
+    file_.event(record.tick.tick, "fallback", std::string(word(provenance.fallback)) + ": " + provenance.reason);
+  }
+}
+
+void RunRecord::add(const TickRecord& record) {
+  assert(record.tick.tick == static_cast<int>(ticks_.size()));
+  tick_seconds_.push_back(std::chrono::duration<double>(Clock::now() - last_).count());
+  note_events(record);
+  file_.add(record);
+  add_to(digest_, record);
+  ticks_.push_back(record);
+  const DayClock& clock = header_.frame.clock;
+  if (clock.minute_of(static_cast<int>(ticks_.size())) % clock.step == 0) {
+    file_.commit();
+    mark_incomplete();
+  }
+  last_ = Clock::now();
+}
+
+RunResult RunRecord::finish() {
+  const DayClock& clock = header_.frame.clock;
+  assert(static_cast<int>(ticks_.size()) == clock.ticks());
+  file_.commit();
+  const DayMetrics day = measure(header_.frame, ticks_);
+  const std::string digest = digest_.hex();
+  const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+  write_file(folder_ / "steps.csv", steps_csv(clock, day));
+  write_file(folder_ / "regions.csv", regions_csv(clock, day));
+  write_file(folder_ / "summary.json", summary_json(header_, day, digest, ticks_, tick_seconds_, seconds));
+  fs::remove(folder_ / "INCOMPLETE");
+  finished_ = true;
+  return {folder_, header_.controller, digest, day.totals, count_fallbacks(ticks_), seconds};
+}
+
+}  // namespace evbal

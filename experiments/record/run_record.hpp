@@ -1,0 +1,85 @@
+#pragma once
+
+#include "common/digest.hpp"
+#include "experiments/metrics/metrics.hpp"
+#include "experiments/record/day_file.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace evbal {
+
+/// What is known of a run before its first tick.
+struct RunHeader {
+  std::string scenario;  ///< its name
+  std::string resolved;  ///< scenario.resolved.yaml as text
+  std::string date;
+  std::uint64_t seed = 0;
+  std::string controller;
+  std::string engine;
+  std::string transport;  ///< "dds" or "inproc"
+  MetricsFrame frame;
+  std::vector<std::string> region_names;
+  std::vector<RequestedFault> faults;
+};
+
+/// What a finished run came to.
+struct RunResult {
+  std::filesystem::path folder;
+  std::string controller;
+  std::string digest;
+  Totals totals;
+  int fallbacks = 0;  ///< plans that were not the controller's own
+  double wall_seconds = 0.0;
+};
+
+/// A run's directory, written while the day goes on:
+///
+///     scenario.resolved.yaml   the scenario with everything explicit; runs as it is
+///     run.sqlite               what was said (day_file.hpp)
+///     steps.csv, regions.csv   one row a step, one a step and region (metrics.hpp)
+///     summary.json             what it came to (summary.hpp)
+///     INCOMPLETE               until finish(): how far the run came
+///
+/// If nothing was recorded when the object dies, what it created is removed again.
+class RunRecord {
+ public:
+  /// Creates the directory. Throws Error{bad_input} if it is there and not empty, or cannot be made.
+  RunRecord(std::filesystem::path folder, RunHeader header);
+  ~RunRecord();
+  RunRecord(const RunRecord&) = delete;
+  RunRecord& operator=(const RunRecord&) = delete;
+
+  const std::filesystem::path& folder() const { return folder_; }
+
+  /// Adds the next tick.
+  void add(const TickRecord& record);
+
+  /// Writes what is still missing; the record is complete then. All steps of the day must have been added.
+  RunResult finish();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void note_events(const TickRecord& record);
+  void mark_incomplete() const;
+
+  std::filesystem::path folder_;
+  RunHeader header_;
+  bool created_folder_;
+  DayFile file_;
+  Digest digest_;
+  std::vector<TickRecord> ticks_;
+  std::vector<double> tick_seconds_;  ///< wall time of each tick, without writing it down
+  Clock::time_point start_;
+  Clock::time_point last_;
+  bool finished_ = false;
+};
+
+/// The digest of a day: faults, reports, plan and departures of every tick, in this order.
+std::string digest_of(const std::vector<TickRecord>& ticks);
+
+}  // namespace evbal

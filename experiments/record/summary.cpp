@@ -1,0 +1,143 @@
+#include "experiments/record/summary.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <set>
+
+#include <unistd.h>
+
+namespace evbal {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double median(std::vector<double> values) {
+  if (values.empty()) {
+    return 0.0;
+  }
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2.0;
+}
+
+double largest(const std::vector<double>& values) {
+  return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
+}
+
+Json totals_json(const Totals& totals) {
+  Json json;
+  for (const auto& [name, value] : named(totals)) {
+    const auto whole = static_cast<std::int64_t>(value);
+    json[name] = static_cast<double>(whole) == value ? Json(whole) : Json(value);
+  }
+  return json;
+}
+
+Json solver_json(const RunHeader& header, std::span<const TickRecord> ticks) {
+  std::vector<double> seconds;
+  std::int64_t iterations = 0;
+  double violation = 0.0;
+  double gap = 0.0;
+  for (const auto& record : ticks) {
+    const auto& plan = record.exchange.plan;
+    if (plan && !plan->provenance.engine.empty()) {
+      seconds.push_back(plan->origin.seconds);
+      iterations += plan->provenance.iterations;
+      violation = std::max(violation, plan->provenance.max_violation);
+      gap = std::max(gap, plan->provenance.gap);
+    }
+  }
+  double total = 0.0;
+  for (const double value : seconds) {
+    total += value;
+  }
+  return {{"engine", header.engine},
+          {"solves", seconds.size()},
+          {"fallbacks", count_fallbacks(ticks)},
+          {"iterations", iterations},
+          {"max_violation", violation},
+          {"max_gap", gap},
+          {"seconds", total},
+          {"seconds_median", median(seconds)},
+          {"seconds_max", largest(seconds)}};
+}
+
+Json processes_json(std::span<const TickRecord> ticks) {
+  std::set<std::int64_t> agents;
+  std::set<std::int64_t> coordinator;
+  std::set<std::int64_t> faults;
+  for (const auto& record : ticks) {
+    faults.insert(record.faults.origin.process_id);
+    if (record.exchange.plan) {
+      coordinator.insert(record.exchange.plan->origin.process_id);
+    }
+    for (const auto& said : record.exchange.departures) {
+      agents.insert(said.origin.process_id);
+    }
+  }
+  for (auto* writers : {&agents, &coordinator, &faults}) {
+    writers->erase(0);
+    writers->erase(getpid());
+  }
+  return {{"agents", agents.size()}, {"coordinator", coordinator.size()}, {"faults", faults.size()}};
+}
+
+Json step_seconds_json(const DayClock& clock, std::span<const TickRecord> ticks, std::span<const double> tick_seconds) {
+  const auto per_step = static_cast<std::size_t>(clock.step / clock.tick);
+  std::vector<double> whole(ticks.size() / per_step);
+  std::vector<double> without_solver(whole.size());
+  for (std::size_t at = 0; at < whole.size() * per_step; ++at) {
+    const auto& plan = ticks[at].exchange.plan;
+    whole[at / per_step] += tick_seconds[at];
+    without_solver[at / per_step] += tick_seconds[at] - (plan ? plan->origin.seconds : 0.0);
+  }
+  return {{"median", median(whole)}, {"max", largest(whole)}, {"median_without_solver", median(without_solver)}};
+}
+
+std::int64_t fleet_of(const DayMetrics& day) {
+  if (day.steps.empty()) {
+    return 0;
+  }
+  const CityStep& last = day.steps.back();
+  return last.stocks.vacant + last.stocks.low_battery + last.stocks.plugged + last.under_way;
+}
+
+}  // namespace
+
+std::string summary_json(const RunHeader& header, const DayMetrics& day, const std::string& digest,
+                         std::span<const TickRecord> ticks, std::span<const double> tick_seconds, double wall_seconds) {
+  const Json json = {{"scenario", header.scenario},
+                     {"date", header.date},
+                     {"seed", header.seed},
+                     {"controller", header.controller},
+                     {"transport", header.transport},
+                     {"digest", digest},
+                     {"scenario_digest", text_digest(header.resolved)},
+                     {"day_start", time_of_day(header.frame.clock, 0)},
+                     {"steps", day.steps.size()},
+                     {"step_minutes", header.frame.clock.step},
+                     {"regions", header.region_names.size()},
+                     {"fleet", fleet_of(day)},
+                     {"fleet_conserved", day.fleet_conserved},
+                     {"totals", totals_json(day.totals)},
+                     {"solver", solver_json(header, ticks)},
+                     {"processes", processes_json(ticks)},
+                     {"step_seconds", step_seconds_json(header.frame.clock, ticks, tick_seconds)},
+                     {"wall_seconds", wall_seconds}};
+  return json.dump(2) + "\n";
+}
+
+int count_fallbacks(std::span<const TickRecord> ticks) {
+  return static_cast<int>(std::count_if(ticks.begin(), ticks.end(), [](const TickRecord& record) {
+    return record.exchange.plan && record.exchange.plan->provenance.fallback != FallbackLevel::none;
+  }));
+}
+
+std::string text_digest(const std::string& text) {
+  Digest digest;
+  digest.update(text.data(), text.size());
+  return digest.hex();
+}
+
+}  // namespace evbal

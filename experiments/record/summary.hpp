@@ -1,0 +1,33 @@
+#pragma once
+
+#include "experiments/record/run_record.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace evbal {
+
+/// summary.json of a finished run, as text:
+///
+///     scenario, date, seed, controller, transport, digest, scenario_digest (of scenario.resolved.yaml)
+///     steps, step_minutes, regions, fleet, fleet_conserved
+///     totals       by the names of metrics/columns.hpp
+///     solver       engine, solves, fallbacks, iterations, max_violation, max_gap, seconds in all,
+///                  seconds_median, seconds_max of a solve (CPU)
+///     processes    how many processes wrote for the agents, the coordinator and the injector, the launcher left out:
+///                  0 in one process
+///     step_seconds wall time of a step: median, max, and median of what is left without the solver
+///     wall_seconds
+///
+/// `transport`, `processes` and what is measured in seconds depend on how the day was run, nothing else does.
+std::string summary_json(const RunHeader& header, const DayMetrics& day, const std::string& digest,
+                         std::span<const TickRecord> ticks, std::span<const double> tick_seconds, double wall_seconds);
+
+/// Plans that were not the controller's own.
+int count_fallbacks(std::span<const TickRecord> ticks);
+
+/// Fingerprint of a file's text.
+std::string text_digest(const std::string& text);
+
+}  // namespace evbal
