@@ -18,3 +18,8 @@ target_link_libraries(evbal_mrpt_math INTERFACE mrpt::math)
 find_package(CLI11 REQUIRED)
 find_package(SQLiteCpp REQUIRED)
 find_package(nlohmann_json REQUIRED)
+# The bus. The generator of its types is a Java program whose package does not pull in a Java runtime.
+find_package(fastcdr REQUIRED)
+find_package(fastrtps REQUIRED)
+find_program(FASTDDSGEN fastddsgen REQUIRED)
+find_program(JAVA java REQUIRED)

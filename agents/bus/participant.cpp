@@ -1,0 +1,272 @@
+#include "agents/bus/participant.hpp"
+
+#include "agents/bus/wire.hpp"
+#include "common/error.hpp"
+
+#include <evbalPubSubTypes.h>
+#include <fastdds/dds/core/condition/WaitSet.hpp>
+#include <fastdds/dds/domain/DomainParticipant.hpp>
+#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
+#include <fastdds/dds/publisher/DataWriter.hpp>
+#include <fastdds/dds/publisher/Publisher.hpp>
+#include <fastdds/dds/subscriber/DataReader.hpp>
+#include <fastdds/dds/subscriber/SampleInfo.hpp>
+#include <fastdds/dds/subscriber/Subscriber.hpp>
+#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
+#include <fastrtps/utils/IPLocator.h>
+
+namespace evbal {
+namespace {
+
+namespace dds = eprosima::fastdds::dds;
+namespace rtps = eprosima::fastrtps::rtps;
+using eprosima::fastrtps::Duration_t;
+
+constexpr std::uint32_t socket_buffer = 4 * 1024 * 1024;
+constexpr int kept_samples = 16;         // of reports and departures, for readers that are a little behind
+constexpr int unread_samples = 1 << 14;  // that a reader of many writers holds at most
+
+// Topic of each message; `latest` is a topic of one writer of which only the newest sample matters.
+template <class Message>
+struct Topic;
+
+template <>
+struct Topic<Hello> {
+  using Type = wire::HelloPubSubType;
+  using Wire = wire::Hello;
+  static constexpr auto name = "evbal/hello";
+  static constexpr bool latest = false;
+};
+
+template <>
+struct Topic<Faults> {
+  using Type = wire::FaultsPubSubType;
+  using Wire = wire::Faults;
+  static constexpr auto name = "evbal/faults";
+  static constexpr bool latest = false;
+};
+
+template <>
+struct Topic<Tick> {
+  using Type = wire::TickPubSubType;
+  using Wire = wire::Tick;
+  static constexpr auto name = "evbal/tick";
+  static constexpr bool latest = true;
+};
+
+template <>
+struct Topic<std::vector<Report>> {
+  using Type = wire::ReportsPubSubType;
+  using Wire = wire::Reports;
+  static constexpr auto name = "evbal/reports";
+  static constexpr bool latest = false;
+};
+
+template <>
+struct Topic<Plan> {
+  using Type = wire::PlanPubSubType;
+  using Wire = wire::Plan;
+  static constexpr auto name = "evbal/plan";
+  static constexpr bool latest = true;
+};
+
+template <>
+struct Topic<std::vector<Departures>> {
+  using Type = wire::DeparturesPubSubType;
+  using Wire = wire::Departures;
+  static constexpr auto name = "evbal/departures";
+  static constexpr bool latest = false;
+};
+
+template <class Entity>
+Entity* made(Entity* entity, const std::string& what) {
+  if (entity == nullptr) {
+    throw run_failed("Fast DDS could not make " + what);
+  }
+  return entity;
+}
+
+rtps::Locator_t loopback(int port) {
+  rtps::Locator_t locator;
+  locator.kind = LOCATOR_KIND_UDPv4;
+  rtps::IPLocator::setIPv4(locator, 127, 0, 0, 1);
+  locator.port = static_cast<std::uint32_t>(port);
+  return locator;
+}
+
+void use_loopback_only(dds::DomainParticipantQos& qos, const BusAddress& address) {
+  qos.transport().use_builtin_transports = false;
+  const auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
+  udp->interfaceWhiteList = {"127.0.0.1"};
+  if (address.participant < BusAddress::first_agent) {
+    udp->sendBufferSize = socket_buffer;
+    udp->receiveBufferSize = socket_buffer;
+  }
+  qos.transport().user_transports.push_back(udp);
+  auto& builtin = qos.wire_protocol().builtin;
+  builtin.metatrafficUnicastLocatorList.push_back(loopback(discovery_port(address.domain, address.participant)));
+  qos.wire_protocol().default_unicast_locator_list.push_back(
+      loopback(discovery_port(address.domain, address.participant) + 1));
+}
+
+void find_each_other(dds::DomainParticipantQos& qos, const BusAddress& address) {
+  const bool agent = address.participant >= BusAddress::first_agent;
+  const int peers = agent ? BusAddress::first_agent : address.participants;
+  auto& builtin = qos.wire_protocol().builtin;
+  for (int peer = 0; peer < peers; ++peer) {
+    if (peer != address.participant) {
+      builtin.initialPeersList.push_back(loopback(discovery_port(address.domain, peer)));
+    }
+  }
+  builtin.discovery_config.initial_announcements.count = 100;
+  builtin.discovery_config.initial_announcements.period = Duration_t(0, 100'000'000);
+}
+
+template <class Qos>
+void set_delivery(Qos& qos, bool latest, int depth) {
+  qos.reliability().kind = dds::RELIABLE_RELIABILITY_QOS;
+  qos.durability().kind = dds::TRANSIENT_LOCAL_DURABILITY_QOS;
+  qos.data_sharing().off();
+  qos.endpoint().history_memory_policy = rtps::DYNAMIC_REUSABLE_MEMORY_MODE;
+  qos.history().kind = dds::KEEP_LAST_HISTORY_QOS;
+  qos.history().depth = latest ? 1 : depth;
+  qos.resource_limits().allocated_samples = 1;
+}
+
+}  // namespace
+
+int discovery_port(int domain, int participant) {
+  return 7400 + 250 * domain + 10 + 2 * participant;
+}
+
+struct Participant::Entities {
+  dds::DomainParticipant* participant = nullptr;
+  dds::Publisher* publisher = nullptr;
+  dds::Subscriber* subscriber = nullptr;
+  dds::WaitSet news;
+
+  Entities() = default;
+  Entities(const Entities&) = delete;
+  Entities& operator=(const Entities&) = delete;
+  ~Entities() {
+    dds::ConditionSeq conditions;
+    news.get_conditions(conditions);
+    for (auto* condition : conditions) {
+      news.detach_condition(*condition);
+    }
+    if (participant != nullptr) {
+      participant->delete_contained_entities();
+      dds::DomainParticipantFactory::get_instance()->delete_participant(participant);
+    }
+  }
+
+  template <class Message>
+  dds::Topic* topic() const {
+    const dds::TypeSupport type(new typename Topic<Message>::Type);
+    type.register_type(participant);
+    return made(participant->create_topic(Topic<Message>::name, type.get_type_name(), dds::TOPIC_QOS_DEFAULT),
+                std::string("topic ") + Topic<Message>::name);
+  }
+};
+
+Participant::Participant(const BusAddress& address, const std::string& name)
+    : run_(address.run), entities_(std::make_unique<Entities>()) {
+  auto* factory = dds::DomainParticipantFactory::get_instance();
+  factory->load_profiles();
+  dds::DomainParticipantQos qos = factory->get_default_participant_qos();
+  qos.name(name.c_str());
+  qos.wire_protocol().participant_id = address.participant;
+  use_loopback_only(qos, address);
+  find_each_other(qos, address);
+  entities_->participant =
+      made(factory->create_participant(static_cast<std::uint32_t>(address.domain), qos),
+           "participant " + std::to_string(address.participant) + " in domain " + std::to_string(address.domain));
+  entities_->publisher = made(entities_->participant->create_publisher(dds::PUBLISHER_QOS_DEFAULT), "a publisher");
+  entities_->subscriber = made(entities_->participant->create_subscriber(dds::SUBSCRIBER_QOS_DEFAULT), "a subscriber");
+}
+
+Participant::~Participant() = default;
+
+void Participant::wait(std::chrono::milliseconds at_most) {
+  dds::ConditionSeq active;
+  entities_->news.wait(active, Duration_t(static_cast<long double>(at_most.count()) / 1000.0L));
+}
+
+template <class Message>
+Writer<Message>::Writer(Participant& participant) : run_(participant.run()) {
+  auto& entities = *participant.entities_;
+  dds::DataWriterQos qos = entities.publisher->get_default_datawriter_qos();
+  set_delivery(qos, Topic<Message>::latest, kept_samples);
+  qos.publish_mode().kind = dds::ASYNCHRONOUS_PUBLISH_MODE;
+  qos.reliable_writer_qos().times.heartbeatPeriod = Duration_t(0, 50'000'000);
+  writer_ = made(entities.publisher->create_datawriter(entities.topic<Message>(), qos),
+                 std::string("a writer of ") + Topic<Message>::name);
+}
+
+template <class Message>
+void Writer<Message>::write(const Message& message) {
+  auto sample = to_wire(run_, message);
+  if (!writer_->write(&sample)) {
+    throw run_failed(std::string("Fast DDS refused a sample of ") + Topic<Message>::name);
+  }
+}
+
+template <class Message>
+int Writer<Message>::readers() const {
+  dds::PublicationMatchedStatus status;
+  writer_->get_publication_matched_status(status);
+  return status.current_count;
+}
+
+template <class Message>
+Reader<Message>::Reader(Participant& participant) : run_(participant.run()) {
+  auto& entities = *participant.entities_;
+  dds::DataReaderQos qos = entities.subscriber->get_default_datareader_qos();
+  set_delivery(qos, Topic<Message>::latest, kept_samples);
+  if (!Topic<Message>::latest) {
+    qos.history().kind = dds::KEEP_ALL_HISTORY_QOS;
+    qos.resource_limits().max_samples = unread_samples;
+    qos.resource_limits().max_instances = 1;
+    qos.resource_limits().max_samples_per_instance = unread_samples;
+  }
+  reader_ = made(entities.subscriber->create_datareader(entities.topic<Message>(), qos),
+                 std::string("a reader of ") + Topic<Message>::name);
+  auto& condition = reader_->get_statuscondition();
+  condition.set_enabled_statuses(dds::StatusMask::data_available());
+  entities.news.attach_condition(condition);
+}
+
+template <class Message>
+std::vector<Message> Reader<Message>::take() {
+  std::vector<Message> messages;
+  typename Topic<Message>::Wire sample;
+  dds::SampleInfo info;
+  while (reader_->take_next_sample(&sample, &info) == dds::ReturnCode_t::RETCODE_OK) {
+    if (info.valid_data && sample.run() == run_) {
+      messages.push_back(from_wire(sample));
+    }
+  }
+  return messages;
+}
+
+template <class Message>
+int Reader<Message>::writers() const {
+  dds::SubscriptionMatchedStatus status;
+  reader_->get_subscription_matched_status(status);
+  return status.current_count;
+}
+
+template class Writer<Hello>;
+template class Writer<Faults>;
+template class Writer<Tick>;
+template class Writer<std::vector<Report>>;
+template class Writer<Plan>;
+template class Writer<std::vector<Departures>>;
+template class Reader<Hello>;
+template class Reader<Faults>;
+template class Reader<Tick>;
+template class Reader<std::vector<Report>>;
+template class Reader<Plan>;
+template class Reader<std::vector<Departures>>;
+
+}  // namespace evbal

@@ -1,0 +1,94 @@
+#pragma once
+
+#include "agents/bus/messages.hpp"
+
+#include <chrono>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace eprosima::fastdds::dds {
+class DataReader;
+class DataWriter;
+}  // namespace eprosima::fastdds::dds
+
+namespace evbal {
+
+/// Where a process stands on the bus of a run. Its UDP ports follow from domain and participant (RTPS, section 9.6.1),
+/// so no two processes of a host may share both.
+struct BusAddress {
+  static constexpr int conductor = 0;  ///< participants
+  static constexpr int coordinator = 1;
+  static constexpr int injector = 2;
+  static constexpr int first_agent = 3;
+
+  std::string run;  ///< id in every message; samples of other runs are dropped
+  int domain = 0;
+  int participant = 0;
+  int participants = 0;  ///< of the whole run
+};
+
+/// One process on the bus: UDPv4 on loopback, no shared memory, and whatever FASTRTPS_DEFAULT_PROFILES_FILE adds.
+/// Agents look for the conductor and the coordinator alone, so that discovery stays linear in their number. All
+/// calls from one thread.
+class Participant {
+ public:
+  /// Throws Error{run_failed} if the middleware refuses.
+  Participant(const BusAddress& address, const std::string& name);
+  ~Participant();
+  Participant(const Participant&) = delete;
+  Participant& operator=(const Participant&) = delete;
+
+  /// Sleeps until a reader has something new or the time is up.
+  void wait(std::chrono::milliseconds at_most);
+
+  const std::string& run() const { return run_; }
+
+ private:
+  template <class Message>
+  friend class Writer;
+  template <class Message>
+  friend class Reader;
+  struct Entities;
+
+  std::string run_;
+  std::unique_ptr<Entities> entities_;
+};
+
+/// This process's end of a topic. Messages: Hello, Faults, Tick, std::vector<Report>, Plan, std::vector<Departures>;
+/// evbal.idl says who sends what to whom. Lives no longer than its participant.
+template <class Message>
+class Writer {
+ public:
+  explicit Writer(Participant& participant);
+
+  void write(const Message& message);
+
+  /// Readers that are connected now.
+  int readers() const;
+
+ private:
+  std::string run_;
+  eprosima::fastdds::dds::DataWriter* writer_;
+};
+
+template <class Message>
+class Reader {
+ public:
+  explicit Reader(Participant& participant);
+
+  /// All that has come since the last call, in the order of each writer.
+  std::vector<Message> take();
+
+  /// Writers that are connected now.
+  int writers() const;
+
+ private:
+  std::string run_;
+  eprosima::fastdds::dds::DataReader* reader_;
+};
+
+/// UDP port for discovery traffic of a participant (RTPS 2.2, section 9.6.1.1); the next one carries its data.
+int discovery_port(int domain, int participant);
+
+}  // namespace evbal

@@ -1,0 +1,159 @@
+#include "agents/bus/roles.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <ctime>
+#include <map>
+#include <optional>
+
+namespace evbal {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto nap = 1000ms;    // between looks at the clock while nothing comes
+constexpr auto glance = 2ms;    // between looks at who is connected
+
+/// CPU time of this thread since construction.
+class CpuTime {
+ public:
+  double seconds() const { return now() - start_; }
+
+ private:
+  static double now() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  }
+  double start_ = now();
+};
+
+template <class Message>
+void sign(Message& message, double seconds) {
+  message.origin = {.process_id = getpid(), .seconds = seconds};
+}
+
+template <class Message>
+void sign(std::vector<Message>& messages, double seconds) {
+  for (auto& message : messages) {
+    sign(message, seconds / static_cast<double>(messages.size()));
+  }
+}
+
+template <class Connected>
+void say_hello(Participant& participant, const std::string& name, Connected connected) {
+  Writer<Hello> hello(participant);
+  while (hello.readers() == 0 || !connected()) {
+    participant.wait(glance);
+  }
+  hello.write({.name = name, .process_id = getpid()});
+}
+
+/// Waits for the newest tick after `last`.
+Tick next_tick(Participant& participant, Reader<Tick>& ticks, int last) {
+  for (;;) {
+    auto come = ticks.take();
+    if (!come.empty() && come.back().tick > last) {
+      return std::move(come.back());
+    }
+    participant.wait(nap);
+  }
+}
+
+Plan plan_of(Participant& participant, Reader<Plan>& plans, int tick) {
+  for (;;) {
+    auto come = plans.take();
+    if (!come.empty() && come.back().tick == tick) {
+      return std::move(come.back());
+    }
+    participant.wait(nap);
+  }
+}
+
+std::vector<Report> reports_of(Participant& participant, Reader<std::vector<Report>>& reader, const Tick& tick) {
+  std::map<int, Report> found;
+  const auto missing = [&](int region) { return !found.contains(region); };
+  while (std::any_of(tick.due.begin(), tick.due.end(), missing)) {
+    for (auto& batch : reader.take()) {
+      for (auto& report : batch) {
+        if (report.tick == tick.tick) {
+          found.emplace(report.region, std::move(report));
+        }
+      }
+    }
+    if (std::any_of(tick.due.begin(), tick.due.end(), missing)) {
+      participant.wait(nap);
+    }
+  }
+  std::vector<Report> reports;
+  for (auto& [region, report] : found) {
+    reports.push_back(std::move(report));
+  }
+  return reports;
+}
+
+}  // namespace
+
+void serve_agent(Participant& participant, const std::string& name, const HostedRegions& regions) {
+  Reader<Tick> ticks(participant);
+  Reader<Plan> plans(participant);
+  Writer<std::vector<Report>> report_writer(participant);
+  Writer<std::vector<Departures>> departure_writer(participant);
+  say_hello(participant, name, [&] {
+    const int listeners = 2;  // the conductor records what the coordinator gets
+    return ticks.writers() > 0 && plans.writers() > 0 && report_writer.readers() >= listeners &&
+           departure_writer.readers() > 0;
+  });
+  for (int last = -1;;) {
+    const Tick tick = next_tick(participant, ticks, last);
+    last = tick.tick;
+    std::optional<Plan> plan;
+    CpuTime before;
+    regions.begin(tick);
+    if (tick.plan_due) {
+      auto reports = regions.report();
+      sign(reports, before.seconds());
+      report_writer.write(reports);
+      plan = plan_of(participant, plans, tick.tick);
+    }
+    const CpuTime living;
+    auto departures = regions.live(plan ? &*plan : nullptr);
+    sign(departures, living.seconds());
+    departure_writer.write(departures);
+  }
+}
+
+void serve_coordinator(Participant& participant, const std::string& name,
+                       const std::function<Plan(int tick, const std::vector<Report>&)>& make_plan) {
+  Reader<Tick> ticks(participant);
+  Reader<std::vector<Report>> reports(participant);
+  Writer<Plan> plans(participant);
+  say_hello(participant, name, [&] { return ticks.writers() > 0 && plans.readers() > 0; });
+  for (int last = -1;;) {
+    const Tick tick = next_tick(participant, ticks, last);
+    last = tick.tick;
+    if (tick.plan_due) {
+      const auto due = reports_of(participant, reports, tick);
+      const CpuTime planning;
+      Plan plan = make_plan(tick.tick, due);
+      sign(plan, planning.seconds());
+      plans.write(plan);
+    }
+  }
+}
+
+void serve_injector(Participant& participant, const std::string& name,
+                    const std::function<Faults(int tick)>& faults_of) {
+  Reader<Tick> ticks(participant);
+  Writer<Faults> writer(participant);
+  say_hello(participant, name, [&] { return ticks.writers() > 0 && writer.readers() > 0; });
+  for (int tick = -1;; tick = next_tick(participant, ticks, tick).tick) {
+    const CpuTime resolving;
+    Faults faults = faults_of(tick + 1);
+    sign(faults, resolving.seconds());
+    writer.write(faults);
+  }
+}
+
+}  // namespace evbal

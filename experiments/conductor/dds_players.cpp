@@ -1,0 +1,200 @@
+#include "experiments/conductor/dds_players.hpp"
+
+#include "agents/bus/process.hpp"
+#include "common/error.hpp"
+#include "common/interrupt.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+namespace evbal {
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+int agents(const DdsRun& run) {
+  return (run.regions + run.regions_per_process - 1) / run.regions_per_process;
+}
+
+int participants(const DdsRun& run) {
+  return BusAddress::first_agent + agents(run);
+}
+
+/// No two runs that could hear each other have the same.
+std::string new_run_id() {
+  return std::to_string(getpid()) + "-" + std::to_string(std::chrono::system_clock::now().time_since_epoch().count());
+}
+
+std::string listed(const std::set<std::string>& names) {
+  std::string text;
+  for (const auto& name : names) {
+    text += (text.empty() ? "" : ", ") + name;
+  }
+  return text;
+}
+
+/// The messages of one tick as they come in, one for each region that is due.
+template <class Message>
+class Collected {
+ public:
+  Collected(int tick, const std::vector<int>& due) : tick_(tick), missing_(due.begin(), due.end()) {}
+
+  void add(std::vector<std::vector<Message>> batches) {
+    for (auto& batch : batches) {
+      for (auto& message : batch) {
+        if (message.tick == tick_ && missing_.erase(message.region) > 0) {
+          found_.emplace(message.region, std::move(message));
+        }
+      }
+    }
+  }
+
+  const std::set<int>& missing() const { return missing_; }
+
+  std::vector<Message> by_region() {
+    std::vector<Message> messages;
+    for (auto& [region, message] : found_) {
+      messages.push_back(std::move(message));
+    }
+    return messages;
+  }
+
+ private:
+  int tick_;
+  std::set<int> missing_;
+  std::map<int, Message> found_;
+};
+
+}  // namespace
+
+struct DdsPlayers::Topics {
+  explicit Topics(Participant& participant)
+      : hello(participant), faults(participant), tick(participant), reports(participant), plan(participant),
+        departures(participant) {}
+
+  Reader<Hello> hello;
+  Reader<Faults> faults;
+  Writer<Tick> tick;
+  Reader<std::vector<Report>> reports;
+  Reader<Plan> plan;
+  Reader<std::vector<Departures>> departures;
+};
+
+DdsPlayers::DdsPlayers(const DdsRun& run)
+    : run_(run), domain_(participants(run)), supervisor_(run.folder / "processes") {
+  const auto begin = Clock::now();
+  BusAddress address{.run = new_run_id(),
+                     .domain = domain_.domain(),
+                     .participant = BusAddress::conductor,
+                     .participants = participants(run)};
+  start_processes(address);
+  participant_.emplace(address, "conductor");
+  topics_ = std::make_unique<Topics>(*participant_);
+  await_hellos();
+  ready_seconds_ = std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+DdsPlayers::~DdsPlayers() = default;
+
+void DdsPlayers::start_processes(BusAddress address) {
+  const auto start = [&](const std::string& name, const std::string& program, int first_region, int last_region) {
+    supervisor_.start(name, run_.programs / program,
+                      arguments({.name = name,
+                                 .address = address,
+                                 .scenario = run_.folder / "scenario.resolved.yaml",
+                                 .first_region = first_region,
+                                 .last_region = last_region}));
+    names_.insert(name);
+  };
+  address.participant = BusAddress::coordinator;
+  start("coordinator", "evbal-coordinator", 0, 0);
+  address.participant = BusAddress::injector;
+  start("faults", "evbal-faults", 0, 0);
+  for (int agent = 0; agent < agents(run_); ++agent) {
+    address.participant = BusAddress::first_agent + agent;
+    const int first = agent * run_.regions_per_process;
+    start(host_of(first), "evbal-agent", first, std::min(first + run_.regions_per_process, run_.regions) - 1);
+  }
+}
+
+std::string DdsPlayers::host_of(int region) const {
+  return "agent-" + std::to_string(region / run_.regions_per_process);
+}
+
+void DdsPlayers::await(const std::string& what, const std::function<std::set<std::string>()>& missing) {
+  const auto deadline = Clock::now() + run_.patience;
+  for (auto names = missing(); !names.empty(); names = missing()) {
+    check_interrupt();
+    supervisor_.check();
+    if (Clock::now() > deadline) {
+      throw run_failed("no " + what + " from " + listed(names) + " within " + std::to_string(run_.patience.count()) +
+                       " s");
+    }
+    participant_->wait(50ms);
+  }
+}
+
+void DdsPlayers::await_hellos() {
+  auto missing = names_;
+  await("hello", [&] {
+    for (const auto& hello : topics_->hello.take()) {
+      missing.erase(hello.name);
+    }
+    return missing;
+  });
+}
+
+Faults DdsPlayers::faults(int tick) {
+  std::optional<Faults> found;
+  await("faults of tick " + std::to_string(tick), [&]() -> std::set<std::string> {
+    for (auto& faults : topics_->faults.take()) {
+      if (faults.tick == tick) {
+        found = std::move(faults);
+      }
+    }
+    return found ? std::set<std::string>{} : std::set<std::string>{"faults"};
+  });
+  return std::move(*found);
+}
+
+Exchange DdsPlayers::play(const Tick& tick) {
+  const std::string of_tick = " of tick " + std::to_string(tick.tick);
+  const auto hosts = [&](const std::set<int>& regions) {
+    std::set<std::string> names;
+    for (const int region : regions) {
+      names.insert(host_of(region));
+    }
+    return names;
+  };
+  topics_->tick.write(tick);
+  Exchange exchange;
+  if (tick.plan_due) {
+    Collected<Report> reports(tick.tick, tick.due);
+    await("report" + of_tick, [&] {
+      reports.add(topics_->reports.take());
+      return hosts(reports.missing());
+    });
+    exchange.reports = reports.by_region();
+    await("plan" + of_tick, [&]() -> std::set<std::string> {
+      for (auto& plan : topics_->plan.take()) {
+        if (plan.tick == tick.tick) {
+          exchange.plan = std::move(plan);
+        }
+      }
+      return exchange.plan ? std::set<std::string>{} : std::set<std::string>{"coordinator"};
+    });
+  }
+  Collected<Departures> departures(tick.tick, tick.due);
+  await("departures" + of_tick, [&] {
+    departures.add(topics_->departures.take());
+    return hosts(departures.missing());
+  });
+  exchange.departures = departures.by_region();
+  return exchange;
+}
+
+}  // namespace evbal

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "agents/bus/participant.hpp"
+#include "experiments/conductor/domain_lock.hpp"
+#include "experiments/conductor/players.hpp"
+#include "experiments/conductor/supervisor.hpp"
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+
+namespace evbal {
+
+/// What the processes of a run are started from.
+struct DdsRun {
+  std::filesystem::path folder;  ///< the run directory: scenario.resolved.yaml is there, processes/ is made
+  int regions = 0;
+  int regions_per_process = 1;
+  std::filesystem::path programs = own_folder();  ///< where evbal-agent, evbal-coordinator and evbal-faults are
+  std::chrono::seconds patience{120};             ///< longest wait for anything
+};
+
+/// The others as processes on the bus: starts them, waits until all are there, and ends them when destroyed. Made
+/// before anything else of this process touches DDS.
+class DdsPlayers : public Players {
+ public:
+  /// Throws Error{run_failed} naming who did not come.
+  explicit DdsPlayers(const DdsRun& run);
+  ~DdsPlayers() override;
+
+  Faults faults(int tick) override;
+  Exchange play(const Tick& tick) override;
+
+  /// Of "agent-0", ..., "coordinator" or "faults".
+  pid_t process_id(const std::string& name) const { return supervisor_.process_id(name); }
+
+  /// Wall seconds from the first start until all had said hello.
+  double ready_seconds() const { return ready_seconds_; }
+
+ private:
+  struct Topics;
+
+  void start_processes(BusAddress address);
+  void await_hellos();
+  std::string host_of(int region) const;
+
+  /// Waits until `missing`, which looks at the topics, gives no name any more.
+  void await(const std::string& what, const std::function<std::set<std::string>()>& missing);
+
+  DdsRun run_;
+  DomainLock domain_;
+  Supervisor supervisor_;
+  std::set<std::string> names_;
+  std::optional<Participant> participant_;
+  std::unique_ptr<Topics> topics_;
+  double ready_seconds_ = 0.0;
+};
+
+}  // namespace evbal

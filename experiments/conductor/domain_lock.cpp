@@ -1,0 +1,66 @@
+#include "experiments/conductor/domain_lock.hpp"
+
+#include "agents/bus/participant.hpp"
+#include "common/error.hpp"
+
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <string>
+
+namespace evbal {
+namespace {
+
+constexpr int first_domain = 10;     // the low ones belong to others on this host
+constexpr int first_foreign_port = 32768;  // from here on the kernel gives ports to anybody
+
+/// A socket bound to an abstract name is a lock among all that share this host's ports. -1 if somebody has it.
+int lock(int domain) {
+  const std::string name = "evbal-domain-" + std::to_string(domain);
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  std::copy(name.begin(), name.end(), address.sun_path + 1);  // behind a zero byte: no file
+  const int file = socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + name.size());
+  if (file >= 0 && bind(file, reinterpret_cast<const sockaddr*>(&address), size) != 0) {
+    close(file);
+    return -1;
+  }
+  return file;
+}
+
+void release(std::vector<int>& sockets) {
+  for (const int file : sockets) {
+    close(file);
+  }
+  sockets.clear();
+}
+
+}  // namespace
+
+DomainLock::DomainLock(int participants) {
+  const int block = 1 + (discovery_port(0, participants) - discovery_port(0, 0)) / 250;
+  for (domain_ = first_domain; discovery_port(domain_ + block, 0) < first_foreign_port; ++domain_) {
+    for (int i = 0; i < block; ++i) {
+      const int file = lock(domain_ + i);
+      if (file < 0) {
+        break;
+      }
+      sockets_.push_back(file);
+    }
+    if (static_cast<int>(sockets_.size()) == block) {
+      return;
+    }
+    release(sockets_);
+  }
+  throw run_failed("no free DDS domain for " + std::to_string(participants) +
+                   " processes; wait for other runs on this host to end");
+}
+
+DomainLock::~DomainLock() {
+  release(sockets_);
+}
+
+}  // namespace evbal

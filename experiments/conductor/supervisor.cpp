@@ -1,0 +1,144 @@
+#include "experiments/conductor/supervisor.hpp"
+
+#include "common/error.hpp"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <csignal>
+#include <cstring>
+#include <fstream>
+#include <thread>
+
+namespace evbal {
+namespace {
+
+using namespace std::chrono_literals;
+
+std::string ending(int status) {
+  if (WIFSIGNALED(status)) {
+    const int signal = WTERMSIG(status);
+    return "was ended by signal " + std::to_string(signal) + " (" + strsignal(signal) + ")";
+  }
+  return "ended with status " + std::to_string(WEXITSTATUS(status));
+}
+
+/// How posix_spawn sets a process up: its own process group (Ctrl-C is the launcher's), the pipe as standard input,
+/// output to the log, nothing else open, default signals.
+class SpawnSetup {
+ public:
+  SpawnSetup(int pipe, const std::filesystem::path& log) {
+    posix_spawn_file_actions_init(&files_);
+    posix_spawn_file_actions_adddup2(&files_, pipe, STDIN_FILENO);
+    posix_spawn_file_actions_addopen(&files_, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0644);
+    posix_spawn_file_actions_adddup2(&files_, STDOUT_FILENO, STDERR_FILENO);
+    posix_spawn_file_actions_addclosefrom_np(&files_, STDERR_FILENO + 1);
+    posix_spawnattr_init(&attributes_);
+    posix_spawnattr_setpgroup(&attributes_, 0);
+    sigset_t signals;
+    sigemptyset(&signals);
+    posix_spawnattr_setsigmask(&attributes_, &signals);
+    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
+  }
+  ~SpawnSetup() {
+    posix_spawn_file_actions_destroy(&files_);
+    posix_spawnattr_destroy(&attributes_);
+  }
+  SpawnSetup(const SpawnSetup&) = delete;
+  SpawnSetup& operator=(const SpawnSetup&) = delete;
+
+  const posix_spawn_file_actions_t* files() const { return &files_; }
+  const posix_spawnattr_t* attributes() const { return &attributes_; }
+
+ private:
+  posix_spawn_file_actions_t files_{};
+  posix_spawnattr_t attributes_{};
+};
+
+}  // namespace
+
+std::filesystem::path own_folder() {
+  return std::filesystem::read_symlink("/proc/self/exe").parent_path();
+}
+
+Supervisor::Supervisor(std::filesystem::path log_folder) : log_folder_(std::move(log_folder)) {
+  std::filesystem::create_directories(log_folder_);
+  std::array<int, 2> ends{};
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) {
+    throw run_failed(std::string("no pipe to the run's processes: ") + std::strerror(errno));
+  }
+  pipe_read_ = ends[0];
+  pipe_write_ = ends[1];
+}
+
+Supervisor::~Supervisor() {
+  close(pipe_write_);
+  end(2s);
+  close(pipe_read_);
+}
+
+void Supervisor::start(const std::string& name, const std::filesystem::path& program,
+                       const std::vector<std::string>& arguments) {
+  std::vector<std::string> words = {program.string()};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> pointers;
+  for (auto& word : words) {
+    pointers.push_back(word.data());
+  }
+  pointers.push_back(nullptr);
+  const SpawnSetup setup(pipe_read_, log_folder_ / (name + ".log"));
+  pid_t id = 0;
+  const int error = posix_spawn(&id, program.c_str(), setup.files(), setup.attributes(), pointers.data(), environ);
+  if (error != 0) {
+    throw run_failed("cannot start " + program.string() + ": " + std::strerror(error));
+  }
+  processes_.push_back({name, id});
+}
+
+void Supervisor::check() {
+  for (auto& process : processes_) {
+    int status = 0;
+    if (process.id != 0 && waitpid(process.id, &status, WNOHANG) == process.id) {
+      const pid_t id = std::exchange(process.id, 0);
+      throw run_failed(process.name + " (process " + std::to_string(id) + ") " + ending(status) +
+                       last_words(process.name));
+    }
+  }
+}
+
+pid_t Supervisor::process_id(const std::string& name) const {
+  const auto found = std::find_if(processes_.begin(), processes_.end(), [&](const auto& p) { return p.name == name; });
+  assert(found != processes_.end());
+  return found->id;
+}
+
+void Supervisor::end(std::chrono::milliseconds grace) {
+  const auto deadline = std::chrono::steady_clock::now() + grace;
+  for (auto& process : processes_) {
+    while (process.id != 0 && waitpid(process.id, nullptr, WNOHANG) == 0) {
+      if (std::chrono::steady_clock::now() > deadline) {
+        kill(process.id, SIGKILL);
+        waitpid(process.id, nullptr, 0);
+        break;
+      }
+      std::this_thread::sleep_for(1ms);
+    }
+    process.id = 0;
+  }
+}
+
+std::string Supervisor::last_words(const std::string& name) const {
+  std::ifstream log(log_folder_ / (name + ".log"));
+  std::string last;
+  for (std::string line; std::getline(log, line);) {
+    last = line.empty() ? last : line;
+  }
+  return last.empty() ? "" : ": " + last;
+}
+
+}  // namespace evbal

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <sys/types.h>
+
+namespace evbal {
+
+/// The processes of a run. Each one's standard input is a pipe that this object holds open and whose end is theirs to
+/// watch; what they print goes to `NAME.log`. Ends and reaps all of them, and nobody else, when destroyed.
+class Supervisor {
+ public:
+  explicit Supervisor(std::filesystem::path log_folder);
+  ~Supervisor();
+  Supervisor(const Supervisor&) = delete;
+  Supervisor& operator=(const Supervisor&) = delete;
+
+  /// Throws Error{run_failed} if the program cannot be started.
+  void start(const std::string& name, const std::filesystem::path& program, const std::vector<std::string>& arguments);
+
+  /// Throws Error{run_failed} if a process has ended, with its name, how it ended and its last words.
+  void check();
+
+  /// Of the process started under that name, which exists.
+  pid_t process_id(const std::string& name) const;
+
+ private:
+  struct Process {
+    std::string name;
+    pid_t id = 0;  ///< 0 once reaped
+  };
+
+  void end(std::chrono::milliseconds grace);
+  std::string last_words(const std::string& name) const;
+
+  std::filesystem::path log_folder_;
+  int pipe_read_ = -1;
+  int pipe_write_ = -1;
+  std::vector<Process> processes_;
+};
+
+/// The folder of the program that is running.
+std::filesystem::path own_folder();
+
+}  // namespace evbal
