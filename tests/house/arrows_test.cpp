@@ -169,7 +169,10 @@ TEST(Arrows, RoomsKnowOnlyWhatTheyMay) {
   ASSERT_FALSE(includes.empty());
   for (const Include& include : includes) {
     const Room* room = find_room(include.room);
-    ASSERT_NE(room, nullptr) << include.place() << "\n" << include.room << " is no room of the table in this test";
+    if (room == nullptr) {
+      ADD_FAILURE() << include.place() << "\n" << include.room << " is no room of the table in this test";
+      continue;
+    }
     if (!include.quoted) {
       continue;
     }
