@@ -241,7 +241,7 @@ std::vector<Message> Reader<Message>::take() {
   std::vector<Message> messages;
   typename Topic<Message>::Wire sample;
   dds::SampleInfo info;
-  while (reader_->take_next_sample(&sample, &info) == dds::ReturnCode_t::RETCODE_OK) {
+  while (reader_->take_next_sample(&sample, &info) == eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK) {
     if (info.valid_data && sample.run() == run_) {
       messages.push_back(from_wire(sample));
     }

@@ -12,8 +12,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto nap = 1000ms;    // between looks at the clock while nothing comes
-constexpr auto glance = 2ms;    // between looks at who is connected
+constexpr auto nap = 1000ms;  // between looks at the clock while nothing comes
+constexpr auto glance = 2ms;  // between looks at who is connected
 
 /// CPU time of this thread since construction.
 class CpuTime {

@@ -204,8 +204,8 @@ struct FromWire {
   void operator()(Own& own, const Wire& wire) const {
     if constexpr (std::is_enum_v<Own>) {
       if (static_cast<std::uint32_t>(wire) > static_cast<std::uint32_t>(last(Own{}))) {
-        throw run_failed("a message on the bus has an enumerator " +
-                         std::to_string(static_cast<std::uint32_t>(wire)) + " that does not exist");
+        throw run_failed("a message on the bus has an enumerator " + std::to_string(static_cast<std::uint32_t>(wire)) +
+                         " that does not exist");
       }
       own = static_cast<Own>(wire);
     } else if constexpr (std::is_arithmetic_v<Own> || std::is_same_v<Own, std::string>) {

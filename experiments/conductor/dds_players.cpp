@@ -73,7 +73,11 @@ class Collected {
 
 struct DdsPlayers::Topics {
   explicit Topics(Participant& participant)
-      : hello(participant), faults(participant), tick(participant), reports(participant), plan(participant),
+      : hello(participant),
+        faults(participant),
+        tick(participant),
+        reports(participant),
+        plan(participant),
         departures(participant) {}
 
   Reader<Hello> hello;

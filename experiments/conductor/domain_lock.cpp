@@ -13,7 +13,7 @@
 namespace evbal {
 namespace {
 
-constexpr int first_domain = 10;     // the low ones belong to others on this host
+constexpr int first_domain = 10;           // the low ones belong to others on this host
 constexpr int first_foreign_port = 32768;  // from here on the kernel gives ports to anybody
 
 /// A socket bound to an abstract name is a lock among all that share this host's ports. -1 if somebody has it.

@@ -1,0 +1,250 @@
+#include "experiments/conductor/dds_players.hpp"
+
+#include "agents/bus/process.hpp"
+#include "agents/protocol/fingerprint.hpp"
+#include "common/error.hpp"
+#include "tests/bus/dds/fake_answers.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <csignal>
+#include <fstream>
+#include <set>
+#include <thread>
+
+namespace evbal {
+namespace {
+
+using namespace std::chrono_literals;
+namespace fs = std::filesystem;
+
+/// A folder of its own for each test, gone afterwards.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (fs::temp_directory_path() / "evbal-dds-XXXXXX").string();
+    path_ = mkdtemp(name.data());
+  }
+  ~TemporaryFolder() { fs::remove_all(path_); }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+class DdsPlayersTest : public testing::Test {
+ protected:
+  DdsRun run(int regions, int regions_per_process) const {
+    return {.folder = folder_.path(),
+            .regions = regions,
+            .regions_per_process = regions_per_process,
+            .programs = own_folder() / "fakes",
+            .patience = 60s};
+  }
+
+  TemporaryFolder folder_;
+};
+
+template <class Message>
+std::string digest(const Message& message) {
+  Digest digest;
+  fingerprint(digest, message);
+  return digest.hex();
+}
+
+void expect_whole(const Exchange& exchange, const Tick& tick) {
+  ASSERT_EQ(exchange.departures.size(), tick.due.size());
+  ASSERT_EQ(exchange.plan.has_value(), tick.plan_due);
+  ASSERT_EQ(exchange.reports.size(), tick.plan_due ? tick.due.size() : 0);
+  for (std::size_t i = 0; i < exchange.reports.size(); ++i) {
+    EXPECT_EQ(digest(exchange.reports[i]), digest(fake::report(tick.tick, static_cast<int>(i))));
+  }
+  if (tick.plan_due) {
+    EXPECT_EQ(digest(*exchange.plan), digest(fake::plan(tick.tick, exchange.reports)));
+  }
+  const Plan* plan = exchange.plan ? &*exchange.plan : nullptr;
+  for (std::size_t i = 0; i < exchange.departures.size(); ++i) {
+    EXPECT_EQ(digest(exchange.departures[i]), digest(fake::departures(tick, plan, static_cast<int>(i))));
+  }
+}
+
+TEST_F(DdsPlayersTest, EveryWordComesThrough) {
+  DdsPlayers players(run(5, 1));
+  for (int tick = 0; tick < 40; ++tick) {
+    EXPECT_EQ(digest(players.faults(tick)), digest(fake::faults(tick)));
+    const Tick message = fake::tick(tick, 5);
+    expect_whole(players.play(message), message);
+  }
+}
+
+TEST_F(DdsPlayersTest, RegionsMayShareAProcess) {
+  DdsPlayers players(run(5, 2));
+  const Tick message = fake::tick(0, 5);
+  const Exchange exchange = players.play(message);
+  expect_whole(exchange, message);
+  EXPECT_EQ(exchange.departures[0].origin.process_id, players.process_id("agent-0"));
+  EXPECT_EQ(exchange.departures[1].origin.process_id, players.process_id("agent-0"));
+  EXPECT_EQ(exchange.departures[4].origin.process_id, players.process_id("agent-2"));
+}
+
+TEST_F(DdsPlayersTest, EveryoneSpeaksFromItsOwnProcess) {
+  DdsPlayers players(run(3, 1));
+  const Exchange exchange = players.play(fake::tick(0, 3));
+  std::set<std::int64_t> processes = {getpid(), players.faults(0).origin.process_id, exchange.plan->origin.process_id};
+  for (const auto& report : exchange.reports) {
+    processes.insert(report.origin.process_id);
+  }
+  EXPECT_EQ(processes.size(), 6U);
+  EXPECT_EQ(exchange.plan->origin.process_id, players.process_id("coordinator"));
+}
+
+TEST_F(DdsPlayersTest, LongMessagesComeThrough) {
+  DdsPlayers players(run(3, 3));
+  Tick message = fake::tick(0, 3);
+  message.arrivals.resize(20000);
+  expect_whole(players.play(message), message);
+}
+
+std::string complaint(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.status(), ExitStatus::run_failed);
+    return error.what();
+  }
+  ADD_FAILURE() << "nothing was thrown";
+  return "";
+}
+
+TEST_F(DdsPlayersTest, NamesTheProcessThatDied) {
+  DdsPlayers players(run(3, 1));
+  players.play(fake::tick(0, 3));
+  ASSERT_EQ(kill(players.process_id("agent-1"), SIGKILL), 0);
+  const auto begin = std::chrono::steady_clock::now();
+  const std::string message = complaint([&] { players.play(fake::tick(1, 3)); });
+  EXPECT_NE(message.find("agent-1"), std::string::npos) << message;
+  EXPECT_NE(message.find("signal 9"), std::string::npos) << message;
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, 5s);
+}
+
+TEST_F(DdsPlayersTest, NamesTheProcessThatHangs) {
+  DdsRun given = run(3, 1);
+  given.patience = 5s;
+  DdsPlayers players(given);
+  players.play(fake::tick(0, 3));
+  ASSERT_EQ(kill(players.process_id("coordinator"), SIGSTOP), 0);
+  const std::string message = complaint([&] { players.play(fake::tick(2, 3)); });
+  EXPECT_NE(message.find("no plan of tick 2 from coordinator"), std::string::npos) << message;
+}
+
+TEST_F(DdsPlayersTest, ShowsTheLastWordsOfAProcessThatFails) {
+  Supervisor supervisor(folder_.path());
+  supervisor.start("sad", "/bin/sh", {"-c", "echo oh no >&2; exit 7"});
+  const std::string message = complaint([&] {
+    for (int i = 0; i < 1000; ++i) {
+      supervisor.check();
+      std::this_thread::sleep_for(5ms);
+    }
+  });
+  EXPECT_NE(message.find("sad"), std::string::npos) << message;
+  EXPECT_NE(message.find("status 7: oh no"), std::string::npos) << message;
+}
+
+std::set<std::string> shared_memory() {
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator("/dev/shm")) {
+    names.insert(entry.path().filename());
+  }
+  return names;
+}
+
+/// Processes whose command line has `word`.
+int processes_with(const std::string& word) {
+  int count = 0;
+  for (const auto& entry : fs::directory_iterator("/proc")) {
+    std::ifstream in(entry.path() / "cmdline");
+    const std::string line{std::istreambuf_iterator<char>(in), {}};
+    count += line.find(word) != std::string::npos ? 1 : 0;
+  }
+  return count;
+}
+
+/// Waits up to 10 s.
+bool comes_true(const std::function<bool()>& condition) {
+  for (int i = 0; i < 1000 && !condition(); ++i) {
+    std::this_thread::sleep_for(10ms);
+  }
+  return condition();
+}
+
+/// A run of five regions in a launcher of its own.
+pid_t launch(const fs::path& folder, int ticks) {
+  const std::string launcher = own_folder() / "evbal-fake-run";
+  const std::string count = std::to_string(ticks);
+  const pid_t id = fork();
+  if (id == 0) {
+    execl(launcher.c_str(), launcher.c_str(), folder.c_str(), "5", "1", count.c_str(), nullptr);
+    _exit(99);
+  }
+  return id;
+}
+
+TEST_F(DdsPlayersTest, TwoRunsAtOnceDoNotMeet) {
+  const TemporaryFolder other_folder;
+  const pid_t other = launch(other_folder.path(), 200);
+  DdsPlayers players(run(3, 1));
+  int ticks = 0;
+  int status = 0;
+  for (; waitpid(other, &status, WNOHANG) == 0; ++ticks) {
+    const Tick message = fake::tick(ticks, 3);
+    expect_whole(players.play(message), message);
+  }
+  EXPECT_GT(ticks, 10);
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+}
+
+/// A launcher in the middle of a run gets the signal; nothing may be left.
+void end_launcher_by(int signal, const fs::path& folder) {
+  const auto shared_before = shared_memory();
+  const pid_t id = launch(folder, 1000000);
+  ASSERT_TRUE(comes_true([&] { return processes_with(folder) == 8; }));
+  std::this_thread::sleep_for(1s);
+  kill(id, signal);
+  int status = 0;
+  ASSERT_EQ(waitpid(id, &status, 0), id);
+  if (signal != SIGKILL) {
+    EXPECT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 3);
+  }
+  EXPECT_TRUE(comes_true([&] { return processes_with(folder) == 0; }));
+  EXPECT_EQ(shared_memory(), shared_before);
+}
+
+TEST_F(DdsPlayersTest, InterruptedLauncherLeavesNothing) {
+  end_launcher_by(SIGINT, folder_.path());
+}
+
+TEST_F(DdsPlayersTest, KilledLauncherLeavesNothing) {
+  end_launcher_by(SIGKILL, folder_.path());
+}
+
+TEST(DomainLock, GivesEachRunItsOwnPorts) {
+  const DomainLock first(60);
+  const DomainLock second(60);
+  EXPECT_NE(first.domain(), second.domain());
+  int freed = 0;
+  {
+    const DomainLock wide(500);  // reaches into the next domains
+    const DomainLock after(3);
+    freed = wide.domain();
+    EXPECT_GT(discovery_port(after.domain(), 0), discovery_port(wide.domain(), 500));
+  }
+  EXPECT_EQ(DomainLock(500).domain(), freed);
+}
+
+}  // namespace
+}  // namespace evbal
