@@ -1,60 +1,132 @@
 #pragma once
 
-#include "agents/city/city.hpp"
 #include "agents/protocol/messages.hpp"
-#include "common/clock.hpp"
+#include "agents/region/draws.hpp"
+#include "agents/region/world.hpp"
 
-#include <cstdint>
 #include <deque>
-#include <span>
 #include <vector>
 
 namespace evbal {
 
-/// Everything that the plants of one run share. Owned by the process; the plants keep a reference.
-struct World {
-  City city;  ///< with the scenario's overrides applied
-  DayClock clock;
-  std::uint64_t seed = 0;
+/// A vehicle at a charging point.
+struct Session {
+  Vehicle vehicle;
+  int since = 0;  ///< minute at which it was plugged in
+  int ends = 0;   ///< minute at which it leaves if nothing happens
 };
 
-/// A passenger who will appear: drawn before the day, the same for every controller.
-struct Passenger {
-  int appears = 0;   ///< minute
-  int patience = 0;  ///< minutes
-  int destination = 0;
-  int index = 0;  ///< position among the region's passengers; keys what faults draw for this one
+/// All that a region carries from one tick to the next.
+struct RegionState {
+  std::vector<Vehicle> vacant;     ///< by (battery, id)
+  std::deque<Vehicle> queue;       ///< low-battery, first come first; waiting for a plan where there is no station
+  std::vector<Session> sessions;   ///< in the order in which they began
+  std::vector<Passenger> waiting;  ///< in the order in which they appeared
+  int drawn = 0;                   ///< passengers of the day who have had their minute
+  int demand = 0;                  ///< passengers who appeared since the last report
+  int completions = 0;             ///< sessions that ended charged since the last report
 };
 
-/// How recorded counts become passengers.
-enum class DemandModel {
-  recorded,  ///< as many as on record, minutes drawn within the step
-  poisson,   ///< Poisson around the record
+enum class VehicleState { vacant, low_battery, plugged };
+
+struct VehiclePlace {
+  int vehicle = 0;
+  VehicleState state = VehicleState::vacant;
 };
-
-/// The passengers of one region on one day, by (appears, index).
-std::vector<Passenger> draw_passengers(const World& world, const DemandDay& day, DemandModel model, int region);
-
-/// Start regions and charge of the fleet: one list per region, by vehicle id.
-std::vector<std::vector<Vehicle>> draw_fleet(const World& world, const DemandDay& day);
 
 /// One region as it really is: whole vehicles, minute by minute. Per tick call begin, then report if a plan is due,
 /// then live.
+///
+/// **Charge.** A passenger is served only by a car that can do the trip and then reach the station nearest to its
+/// destination. A car is low-battery if it could not do so for 95 of 100 of the passengers who ask here during the day
+/// (never more than half the battery is asked for), looked at whenever it becomes free. It waits for a point until it
+/// has had a session. A session keeps its point for the minutes drawn, charges at full power until the battery is
+/// full, and ends `completed` unless the car is still low; then the car queues again.
+///
+/// **A tick.** Failing points fail (below) before the report. Then the plan's moves go, in its order: vacant cars from
+/// the highest charge down, low-battery cars from the queue's tail, each only if it can get there (and, if vacant, on
+/// to a station). Then for each minute: cars arrive; sessions end; the queue's head plugs in; passengers appear;
+/// waiting passengers, first come first served, get the car with the lowest sufficient charge, or are lost when their
+/// patience has run out; plugged cars gain a minute's energy. A trip takes the mean minutes of its pair, rounded up,
+/// and costs its mean km, which the departing car's battery already shows. It arrives in a later tick, so a shorter
+/// trip takes until this tick's end.
+///
+/// **Failing points.** Free points fail first. `evict` unplugs the cars that came last and puts them at the queue's
+/// head; with `drain` a point in use fails when its session ends. `points` therefore counts max(points left, points in
+/// use).
+///
+/// **Demand faults.** With factor m at a passenger's minute, floor(m + u) passengers appear in the place of one, u
+/// uniform and keyed by the passenger: the same passengers with and without the fault as far as it lets them.
 class RegionPlant {
  public:
-  RegionPlant(const World& world, int region, std::vector<Passenger> passengers, std::vector<Vehicle> vacant);
+  /// `passengers` as draw_passengers gives them. `world` must outlive the plant.
+  RegionPlant(const World& world, int region, std::vector<Passenger> passengers, const std::vector<Vehicle>& vehicles);
 
   /// Takes this region's arrivals and effects of the tick.
   void begin(const Tick& tick);
 
-  /// The region before anything moves.
+  /// The region before anything moves. Counts restart: call it once where a plan is due.
   Report report();
 
   /// Sends off what the plan asks for as far as it is there, and lives through the tick's minutes.
   /// `plan` is null where none is due.
   Departures live(const Plan* plan);
 
-  int region() const;
+  int region() const { return region_; }
+
+  /// Every vehicle that is here, by id.
+  std::vector<VehiclePlace> census() const;
+
+  const RegionState& state() const { return state_; }
+
+ private:
+  /// What the tick brings to this region.
+  struct Incoming {
+    std::vector<Arrival> arrivals;    ///< by (minute, vehicle)
+    std::vector<UnderWay> under_way;  ///< by (minute, errand)
+    std::vector<Effect> effects;      ///< by fault
+  };
+
+  int points_left(bool visible_only) const;
+  int working_points(bool visible_only) const;
+  void fail_points();
+
+  void send_off(const Plan& plan);
+  int send_vacant(int to, int count);
+  int send_low_battery(int to, int count);
+  void depart(Vehicle vehicle, int to, Errand errand, int minute);
+
+  void live_minute(int minute);
+  void arrive(int minute);
+  void end_sessions(int minute);
+  void plug_in(int minute);
+  void appear(int minute);
+  void serve_or_lose(int minute);
+  void charge();
+
+  int copies(double uniform);
+  void settle(Vehicle vehicle);  ///< a free car is vacant or joins the queue
+  bool try_serve(const Passenger& passenger, int minute);
+  void close_books();
+
+  const World* world_;
+  int region_ = 0;
+  int points_ = 0;  ///< all points of the region
+  std::vector<Passenger> passengers_;
+  std::vector<double> trip_kwh_;  ///< to each region
+  std::vector<double> need_kwh_;  ///< to each region and on to its nearest station
+  std::vector<int> trip_minutes_;
+  double reserve_kwh_ = 0.0;  ///< a car with less is low-battery
+
+  RegionState state_;
+  Incoming incoming_;
+  Departures said_;  ///< of the tick under way
 };
+
+/// The plant of one region with its part of the fleet and its passengers. `world` must outlive it.
+RegionPlant make_plant(const World& world, int region);
+
+/// All of them, by region.
+std::vector<RegionPlant> make_plants(const World& world);
 
 }  // namespace evbal

@@ -1,0 +1,233 @@
+#include "agents/region/region_plant.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <map>
+#include <tuple>
+#include <utility>
+
+namespace evbal {
+namespace {
+
+constexpr double passengers_within_reserve = 0.95;
+constexpr double largest_reserve = 0.5;  // of the battery: a charged car must not be low again at once
+
+int size_of(const auto& list) {
+  return static_cast<int>(list.size());
+}
+
+int points_failing(const Effect& effect) {
+  return effect.type == EffectType::charger_outage ? static_cast<int>(std::lround(effect.magnitude)) : 0;
+}
+
+/// The energy that is enough for all but the farthest of `passengers`; without any, for a trip within the region.
+double reserve(const std::vector<Passenger>& passengers, const std::vector<double>& need_kwh, int region) {
+  if (passengers.empty()) {
+    return need_kwh[region];
+  }
+  std::vector<double> needs;
+  for (const auto& passenger : passengers) {
+    needs.push_back(need_kwh[passenger.destination]);
+  }
+  std::sort(needs.begin(), needs.end());
+  const double rank = std::ceil(passengers_within_reserve * static_cast<double>(needs.size()));
+  return needs[static_cast<std::size_t>(rank) - 1];
+}
+
+}  // namespace
+
+RegionPlant::RegionPlant(const World& world, int region, std::vector<Passenger> passengers,
+                         const std::vector<Vehicle>& vehicles)
+    : world_(&world), region_(region), points_(world.city.points()[region]), passengers_(std::move(passengers)) {
+  const City& city = world.city;
+  const std::vector<int> station = city.nearest_station();
+  for (int j = 0; j < city.size(); ++j) {
+    const double way_km = station[j] < 0 || station[j] == j ? 0.0 : city.km(j, station[j]);
+    trip_kwh_.push_back(city.km(region, j) / city.fleet.km_per_kwh);
+    need_kwh_.push_back((city.km(region, j) + way_km) / city.fleet.km_per_kwh);
+    trip_minutes_.push_back(std::max(1, static_cast<int>(std::ceil(city.minutes(region, j)))));
+  }
+  reserve_kwh_ = std::min(reserve(passengers_, need_kwh_, region), largest_reserve * city.fleet.battery_kwh);
+  for (const auto& vehicle : vehicles) {
+    settle(vehicle);
+  }
+}
+
+void RegionPlant::begin(const Tick& tick) {
+  const auto here = [&](const auto& entry) { return entry.region == region_; };
+  incoming_ = {};
+  std::copy_if(tick.arrivals.begin(), tick.arrivals.end(), std::back_inserter(incoming_.arrivals), here);
+  std::copy_if(tick.under_way.begin(), tick.under_way.end(), std::back_inserter(incoming_.under_way), here);
+  std::copy_if(tick.effects.begin(), tick.effects.end(), std::back_inserter(incoming_.effects), here);
+  said_ = {};
+  said_.tick = tick.tick;
+  said_.region = region_;
+  for (const auto& effect : incoming_.effects) {
+    said_.observed.push_back({.fault = effect.fault});
+  }
+  fail_points();
+}
+
+Report RegionPlant::report() {
+  Report report;
+  report.tick = said_.tick;
+  report.region = region_;
+  report.vacant = size_of(state_.vacant);
+  report.low_battery = size_of(state_.queue);
+  report.plugged = size_of(state_.sessions);
+  report.points = working_points(true);
+  report.waiting = size_of(state_.waiting);
+  report.demand = std::exchange(state_.demand, 0);
+  report.completions = std::exchange(state_.completions, 0);
+  for (const auto& session : state_.sessions) {
+    report.plugged_since.push_back(session.since);
+  }
+  std::map<std::pair<int, Errand>, int> bound;
+  for (const auto& arrival : incoming_.arrivals) {
+    ++bound[{arrival.minute, arrival.errand}];
+  }
+  for (const auto& cars : incoming_.under_way) {
+    bound[{cars.minute, cars.errand}] += cars.count;
+  }
+  for (const auto& [when, count] : bound) {
+    report.bound.push_back({.region = region_, .minute = when.first, .errand = when.second, .count = count});
+  }
+  return report;
+}
+
+Departures RegionPlant::live(const Plan* plan) {
+  if (plan != nullptr) {
+    send_off(*plan);
+  }
+  const int first = world_->clock.minute_of(said_.tick);
+  for (int minute = first; minute < first + world_->clock.tick; ++minute) {
+    live_minute(minute);
+  }
+  close_books();
+  return std::exchange(said_, {});
+}
+
+std::vector<VehiclePlace> RegionPlant::census() const {
+  std::vector<VehiclePlace> places;
+  for (const auto& vehicle : state_.vacant) {
+    places.push_back({vehicle.id, VehicleState::vacant});
+  }
+  for (const auto& vehicle : state_.queue) {
+    places.push_back({vehicle.id, VehicleState::low_battery});
+  }
+  for (const auto& session : state_.sessions) {
+    places.push_back({session.vehicle.id, VehicleState::plugged});
+  }
+  std::sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.vehicle < b.vehicle; });
+  return places;
+}
+
+int RegionPlant::points_left(bool visible_only) const {
+  int left = points_;
+  for (const auto& effect : incoming_.effects) {
+    left -= effect.visible || !visible_only ? points_failing(effect) : 0;
+  }
+  return std::max(0, left);
+}
+
+int RegionPlant::working_points(bool visible_only) const {
+  return std::max(points_left(visible_only), size_of(state_.sessions));
+}
+
+void RegionPlant::fail_points() {
+  int left = points_;
+  for (std::size_t i = 0; i < incoming_.effects.size(); ++i) {
+    if (incoming_.effects[i].on_start != OnStart::evict) {
+      continue;
+    }
+    left = std::max(0, left - points_failing(incoming_.effects[i]));
+    while (size_of(state_.sessions) > left) {
+      state_.queue.push_front(state_.sessions.back().vehicle);
+      state_.sessions.pop_back();
+      ++said_.observed[i].evicted;
+    }
+  }
+}
+
+void RegionPlant::send_off(const Plan& plan) {
+  for (const auto& move : plan.moves) {
+    if (move.from != region_ || move.count <= 0) {
+      continue;
+    }
+    const bool somewhere = move.to >= 0 && move.to < world_->city.size() && move.to != region_;
+    int sent = 0;
+    if (somewhere && move.errand == Errand::rebalance) {
+      sent = send_vacant(move.to, move.count);
+    } else if (somewhere && move.errand == Errand::charge) {
+      sent = send_low_battery(move.to, move.count);
+    }
+    said_.refused += move.count - sent;
+  }
+}
+
+int RegionPlant::send_vacant(int to, int count) {
+  int sent = 0;
+  while (sent < count && !state_.vacant.empty() && state_.vacant.back().battery_kwh >= need_kwh_[to]) {
+    depart(state_.vacant.back(), to, Errand::rebalance, world_->clock.minute_of(said_.tick));
+    state_.vacant.pop_back();
+    ++sent;
+  }
+  return sent;
+}
+
+int RegionPlant::send_low_battery(int to, int count) {
+  int sent = 0;
+  for (int i = size_of(state_.queue) - 1; i >= 0 && sent < count; --i) {
+    if (state_.queue[i].battery_kwh >= trip_kwh_[to]) {
+      depart(state_.queue[i], to, Errand::charge, world_->clock.minute_of(said_.tick));
+      state_.queue.erase(state_.queue.begin() + i);
+      ++sent;
+    }
+  }
+  return sent;
+}
+
+void RegionPlant::depart(Vehicle vehicle, int to, Errand errand, int minute) {
+  vehicle.battery_kwh = std::max(0.0, vehicle.battery_kwh - trip_kwh_[to]);
+  said_.departures.push_back(
+      {.minute = minute,
+       .to = to,
+       .arrival_minute = std::max(minute + trip_minutes_[to], world_->clock.minute_of(said_.tick + 1)),
+       .errand = errand,
+       .vehicle = vehicle,
+       .km = world_->city.km(region_, to)});
+}
+
+void RegionPlant::close_books() {
+  int closed = points_ - working_points(false);
+  for (std::size_t i = 0; i < incoming_.effects.size(); ++i) {
+    const int share = std::min(closed, points_failing(incoming_.effects[i]));
+    said_.observed[i].amount += share;
+    closed -= share;
+  }
+  std::sort(said_.departures.begin(), said_.departures.end(), [](const Departure& a, const Departure& b) {
+    return std::tie(a.minute, a.vehicle.id) < std::tie(b.minute, b.vehicle.id);
+  });
+  said_.vacant = size_of(state_.vacant);
+  said_.low_battery = size_of(state_.queue);
+  said_.plugged = size_of(state_.sessions);
+  said_.points = working_points(false);
+  said_.waiting = size_of(state_.waiting);
+}
+
+RegionPlant make_plant(const World& world, int region) {
+  assert(region >= 0 && region < world.city.size());
+  return {world, region, draw_passengers(world, region), draw_fleet(world)[region]};
+}
+
+std::vector<RegionPlant> make_plants(const World& world) {
+  const std::vector<std::vector<Vehicle>> fleet = draw_fleet(world);
+  std::vector<RegionPlant> plants;
+  for (int region = 0; region < world.city.size(); ++region) {
+    plants.emplace_back(world, region, draw_passengers(world, region), fleet[region]);
+  }
+  return plants;
+}
+
+}  // namespace evbal
