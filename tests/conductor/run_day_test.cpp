@@ -1,0 +1,283 @@
+#include "experiments/conductor/run_day.hpp"
+
+#include "agents/protocol/fingerprint.hpp"
+#include "agents/region/region_plant.hpp"
+#include "experiments/conductor/inproc_players.hpp"
+#include "tests/support/worlds.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace evbal {
+namespace {
+
+using test::faults_for;
+using test::hold;
+using test::no_faults;
+using test::small_worlds;
+
+std::vector<TickRecord> play(const World& world, Players& players) {
+  std::vector<TickRecord> records;
+  run_day(world, players, [&](const TickRecord& record) { records.push_back(record); });
+  return records;
+}
+
+std::vector<TickRecord> wander_through(const World& world, const std::vector<Faults>& faults, std::uint64_t seed) {
+  InprocPlayers players(
+      world, [=](int tick, const std::vector<Report>& reports) { return test::wander(seed, tick, reports); },
+      [&](int tick) { return faults[tick]; });
+  return play(world, players);
+}
+
+std::string fingerprint_of(const std::vector<TickRecord>& records) {
+  Digest digest;
+  for (const auto& record : records) {
+    for (const auto& report : record.exchange.reports) {
+      fingerprint(digest, report);
+    }
+    for (const auto& departures : record.exchange.departures) {
+      fingerprint(digest, departures);
+    }
+  }
+  return digest.hex();
+}
+
+/// Gives the plants plans that make no sense, and shows the conductor empty ones, whose check would refuse them.
+class RavingPlayers : public Players {
+ public:
+  RavingPlayers(const World& world, const std::vector<Faults>& faults, std::uint64_t seed)
+      : players_(
+            world, [=](int tick, const std::vector<Report>& reports) { return test::rave(seed, tick, reports); },
+            [&](int tick) { return faults[tick]; }) {}
+
+  Faults faults(int tick) override { return players_.faults(tick); }
+
+  Exchange play(const Tick& tick) override {
+    Exchange said = players_.play(tick);
+    if (said.plan) {
+      said.plan->moves.clear();
+    }
+    return said;
+  }
+
+ private:
+  InprocPlayers players_;
+};
+
+// run_day itself checks vehicles and points at every tick and throws.
+RC_GTEST_PROP(RunDay, ConservesVehiclesAndPoints, ()) {
+  const World world = *small_worlds();
+  const auto faults = *faults_for(world);
+  RC_ASSERT(wander_through(world, faults, 1).size() == static_cast<std::size_t>(world.clock.ticks()));
+}
+
+RC_GTEST_PROP(RunDay, SurvivesAbsurdPlans, ()) {
+  const World world = *small_worlds();
+  const auto faults = *faults_for(world);
+  RavingPlayers players(world, faults, 1);
+  for (const auto& record : play(world, players)) {
+    for (const auto& departures : record.exchange.departures) {
+      RC_ASSERT(departures.refused >= 0);
+    }
+  }
+}
+
+RC_GTEST_PROP(RunDay, SettlesEveryPassengerOnce, ()) {
+  const World world = *small_worlds();
+  const auto faults = *faults_for(world);
+  const auto records = wander_through(world, faults, 2);
+  const int patience = static_cast<int>(std::lround(world.city.passengers.patience_high));
+  for (int region = 0; region < world.city.size(); ++region) {
+    int appeared = 0;
+    int settled = 0;
+    for (const auto& record : records) {
+      const Departures& said = record.exchange.departures[region];
+      appeared += said.demand;
+      settled += static_cast<int>(said.fates.size());
+      RC_ASSERT(appeared == settled + said.waiting);
+      const auto served = std::count_if(said.fates.begin(), said.fates.end(), [](const Fate& f) { return f.served; });
+      const auto rides = std::count_if(said.departures.begin(), said.departures.end(),
+                                       [](const Departure& d) { return d.errand == Errand::passenger; });
+      RC_ASSERT(served == rides);
+      for (const auto& fate : said.fates) {
+        RC_ASSERT(fate.waited >= 0);
+        RC_ASSERT(fate.waited <= patience);
+        RC_ASSERT(fate.served == (fate.vehicle >= 0));
+      }
+    }
+  }
+}
+
+RC_GTEST_PROP(RunDay, SettlesThePassengersThatWereDrawn, ()) {
+  const World world = *small_worlds();
+  const auto records = wander_through(world, std::vector<Faults>(world.clock.ticks()), 3);
+  for (int region = 0; region < world.city.size(); ++region) {
+    std::multiset<std::pair<int, int>> expected;
+    for (const auto& passenger : draw_passengers(world, region)) {
+      expected.emplace(passenger.appears, passenger.destination);
+    }
+    for (const auto& record : records) {
+      for (const auto& fate : record.exchange.departures[region].fates) {
+        const auto passenger = expected.find({fate.appeared, fate.destination});
+        RC_ASSERT(passenger != expected.end());
+        expected.erase(passenger);
+      }
+    }
+    RC_ASSERT(static_cast<int>(expected.size()) == records.back().exchange.departures[region].waiting);
+  }
+}
+
+RC_GTEST_PROP(RunDay, KeepsBatteriesWithinBounds, ()) {
+  const World world = *small_worlds();
+  for (const auto& record : wander_through(world, *faults_for(world), 4)) {
+    for (const auto& departures : record.exchange.departures) {
+      for (const auto& car : departures.departures) {
+        RC_ASSERT(car.vehicle.battery_kwh >= 0.0);
+        RC_ASSERT(car.vehicle.battery_kwh <= world.city.fleet.battery_kwh);
+        RC_ASSERT(car.arrival_minute > car.minute);
+      }
+    }
+  }
+}
+
+RC_GTEST_PROP(RunDay, CountsEveryVehicleInReports, ()) {
+  const World world = *small_worlds();
+  for (const auto& record : wander_through(world, *faults_for(world), 5)) {
+    int vehicles = 0;
+    for (const auto& report : record.exchange.reports) {
+      vehicles += report.vacant + report.low_battery + report.plugged;
+      for (const auto& cars : report.bound) {
+        vehicles += cars.count;
+      }
+    }
+    RC_ASSERT(record.exchange.reports.empty() || vehicles == world.city.fleet.vehicles);
+  }
+}
+
+RC_GTEST_PROP(RunDay, SaysTheSameTwice, ()) {
+  const World world = *small_worlds();
+  const auto faults = *faults_for(world);
+  RC_ASSERT(fingerprint_of(wander_through(world, faults, 6)) == fingerprint_of(wander_through(world, faults, 6)));
+}
+
+World busy_day(int tick) {
+  SyntheticOptions options;
+  options.regions = 9;
+  options.trips_per_day = 6000.0;
+  options.vehicles = 140;
+  options.stations = 4;
+  options.points = 16;
+  return test::world_of(options, {.tick = tick, .plan_every = 10});
+}
+
+/// Low-battery cars to the nearest station, else nothing.
+Plan to_nearest_station(const City& city, int tick, const std::vector<Report>& reports) {
+  Plan plan = hold(tick);
+  const std::vector<int> station = city.nearest_station();
+  for (const auto& report : reports) {
+    if (report.low_battery > 0 && station[report.region] != report.region) {
+      plan.moves.push_back({report.region, station[report.region], report.low_battery, Errand::charge});
+    }
+  }
+  return plan;
+}
+
+std::pair<int, int> served_and_lost(const World& world) {
+  InprocPlayers players(
+      world,
+      [&](int tick, const std::vector<Report>& reports) { return to_nearest_station(world.city, tick, reports); },
+      no_faults);
+  int served = 0;
+  int lost = 0;
+  for (const auto& record : play(world, players)) {
+    for (const auto& departures : record.exchange.departures) {
+      for (const auto& fate : departures.fates) {
+        ++(fate.served ? served : lost);
+      }
+    }
+  }
+  return {served, lost};
+}
+
+TEST(RunDay, HalvingTheTickHardlyChangesTheDay) {
+  const auto [served, lost] = served_and_lost(busy_day(10));
+  const auto [served_half, lost_half] = served_and_lost(busy_day(5));
+  EXPECT_GT(lost, served / 20) << "nothing is scarce: the comparison would show nothing";
+  EXPECT_NEAR(served_half, served, 0.02 * served);
+}
+
+TEST(RunDay, AnotherSeedGivesAnotherDay) {
+  World world = busy_day(5);
+  const std::vector<Faults> faults(world.clock.ticks());
+  const std::string first = fingerprint_of(wander_through(world, faults, 1));
+  ++world.seed;
+  EXPECT_NE(first, fingerprint_of(wander_through(world, faults, 1)));
+}
+
+// A player who lies in tick 3, region 2: the conductor must say so.
+class LyingPlayers : public Players {
+ public:
+  LyingPlayers(const World& world, std::function<void(Exchange&)> lie)
+      : players_(
+            world, [](int tick, const auto&) { return hold(tick); }, no_faults),
+        lie_(std::move(lie)) {}
+
+  Faults faults(int tick) override { return players_.faults(tick); }
+
+  Exchange play(const Tick& tick) override {
+    Exchange said = players_.play(tick);
+    if (tick.tick == 3) {
+      lie_(said);
+    }
+    return said;
+  }
+
+ private:
+  InprocPlayers players_;
+  std::function<void(Exchange&)> lie_;
+};
+
+void expect_caught(const std::function<void(Exchange&)>& lie, const std::string& word) {
+  const World world = test::world_of({}, {.plan_every = 5});
+  LyingPlayers players(world, lie);
+  try {
+    run_day(world, players, [](const TickRecord&) {});
+    FAIL() << "nobody noticed: " << word;
+  } catch (const Error& error) {
+    const std::string said = error.what();
+    EXPECT_EQ(error.status(), ExitStatus::run_failed);
+    EXPECT_NE(said.find("tick 3"), std::string::npos) << said;
+    EXPECT_NE(said.find("region 2"), std::string::npos) << said;
+    EXPECT_NE(said.find(word), std::string::npos) << said;
+  }
+}
+
+TEST(RunDay, NoticesLostVehicles) {
+  expect_caught([](Exchange& said) { --said.departures[2].vacant; }, "vehicles");
+}
+
+TEST(RunDay, NoticesPointsThatDoNotWork) {
+  expect_caught([](Exchange& said) { said.departures[2].points = said.departures[2].plugged - 1; }, "points");
+}
+
+TEST(RunDay, NoticesVehiclesFromNowhere) {
+  expect_caught(
+      [](Exchange& said) {
+        said.departures[2].departures.push_back({.minute = 15, .to = 0, .arrival_minute = 40, .vehicle = {.id = 100}});
+      },
+      "was not there");
+}
+
+TEST(RunDay, NoticesPlansBeyondTheReports) {
+  expect_caught(
+      [](Exchange& said) { said.plan->moves.push_back({.from = 2, .to = 0, .count = said.reports[2].vacant + 1}); },
+      "more vehicles");
+}
+
+}  // namespace
+}  // namespace evbal
