@@ -1,0 +1,36 @@
+#include "coordinator/balancing/engine.hpp"
+
+#include "coordinator/balancing/ipopt_engine.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+namespace evbal {
+namespace {
+
+struct Engine {
+  const char* name;
+  Solution (*solve)(const ConvexProgram&, const EngineSettings&);
+};
+
+constexpr std::array engines = {Engine{"ipopt", solve_with_ipopt}};
+
+}  // namespace
+
+Solution solve(const ConvexProgram& program, const EngineSettings& settings) {
+  const auto* engine = std::ranges::find_if(engines, [&](const auto& e) { return e.name == settings.name; });
+  assert(engine != engines.end());
+  return engine->solve(program, settings);
+}
+
+std::vector<std::string> engine_names() {
+  std::vector<std::string> names;
+  for (const auto& engine : engines) {
+    names.emplace_back(engine.name);
+  }
+  return names;
+}
+
+}  // namespace evbal

@@ -1,0 +1,112 @@
+#include "coordinator/balancing/heuristics.hpp"
+
+#include "coordinator/balancing/arcs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace evbal {
+namespace {
+
+Dispatch empty_dispatch(const PlanningData& data) {
+  const auto steps = static_cast<std::size_t>(data.points.cols());
+  return {.vacant = std::vector<std::vector<Flow>>(steps), .low_battery = std::vector<std::vector<Flow>>(steps)};
+}
+
+std::vector<bool> working_stations(const PlanningData& data) {
+  std::vector<bool> station;
+  for (const double points : data.points.col(0)) {
+    station.push_back(points > 0.0);
+  }
+  return station;
+}
+
+std::vector<Flow> nearest_shortage_first(const BalancingParameters& parameters, const PlanningData& data) {
+  // missing_i = r_hat_i - S_i, whole cars
+  const auto regions = data.km.rows();
+  const Eigen::VectorXd missing =
+      (data.demand.mean.head(regions).cwiseMax(0.0) - data.state.vacant - data.state.arriving_vacant.col(0))
+          .array()
+          .round();
+  Eigen::VectorXd lacking = missing.cwiseMax(0.0);
+  Eigen::VectorXd spare = (-missing).cwiseMax(0.0).cwiseMin(data.state.vacant.array().floor().matrix());
+  auto arcs = vacant_arcs(data.km, parameters.m1, parameters.neighbours);
+  std::ranges::stable_sort(arcs, {}, &Arc::km);
+  std::vector<Flow> flows;
+  for (const auto& arc : arcs) {
+    const double sent = std::min(spare(arc.from), lacking(arc.to));
+    if (sent > 0.0) {
+      flows.push_back({arc.from, arc.to, sent});
+      spare(arc.from) -= sent;
+      lacking(arc.to) -= sent;
+    }
+  }
+  std::ranges::sort(flows, {}, [](const Flow& flow) { return std::pair(flow.from, flow.to); });
+  return flows;
+}
+
+// Expected minutes until a car that finds `ahead` cars in the queue of a region is plugged in.
+double expected_wait(const PlanningData& data, int region, double ahead) {
+  const double points = data.points(region, 0);
+  const double turns = std::max(0.0, ahead + 1.0 - (points - data.state.plugged(region))) / points;
+  return turns * data.mean_session_minutes;
+}
+
+std::vector<Flow> least_travel_and_wait(const BalancingParameters& parameters, const PlanningData& data) {
+  const auto station = working_stations(data);
+  const auto arcs = low_battery_arcs(data.km, station, parameters.m2, parameters.neighbours);
+  Eigen::VectorXd queue = data.state.low_battery + data.state.arriving_low_battery.rowwise().sum();
+  std::map<std::pair<int, int>, double> sent;
+  for (int from = 0; from < data.km.rows(); ++from) {
+    for (double left = data.state.low_battery(from); left > 0.0; left -= 1.0) {
+      const double car = std::min(1.0, left);
+      queue(from) -= car;
+      int best = from;
+      double least =
+          station[static_cast<std::size_t>(from)] ? expected_wait(data, from, queue(from)) : HUGE_VAL;
+      for (const auto& arc : arcs) {
+        if (arc.from == from) {
+          const double minutes = data.minutes(from, arc.to) + expected_wait(data, arc.to, queue(arc.to));
+          if (minutes < least) {
+            least = minutes;
+            best = arc.to;
+          }
+        }
+      }
+      queue(best) += car;
+      if (best != from) {
+        sent[{from, best}] += car;
+      }
+    }
+  }
+  std::vector<Flow> flows;
+  for (const auto& [pair, amount] : sent) {
+    flows.push_back({pair.first, pair.second, amount});
+  }
+  return flows;
+}
+
+}  // namespace
+
+Dispatch plan_none(const PlanningData& data) {
+  Dispatch dispatch = empty_dispatch(data);
+  const auto station = working_stations(data);
+  for (const auto& arc : low_battery_arcs(data.km, station, 0.0, 1)) {
+    const double waiting = data.state.low_battery(arc.from);
+    if (waiting > 0.0 && !station[static_cast<std::size_t>(arc.from)]) {
+      dispatch.low_battery.front().push_back({arc.from, arc.to, waiting});
+    }
+  }
+  return dispatch;
+}
+
+Dispatch plan_greedy(const BalancingParameters& parameters, const PlanningData& data) {
+  Dispatch dispatch = empty_dispatch(data);
+  dispatch.vacant.front() = nearest_shortage_first(parameters, data);
+  dispatch.low_battery.front() = least_travel_and_wait(parameters, data);
+  return dispatch;
+}
+
+}  // namespace evbal
