@@ -22,11 +22,11 @@ struct MetricsFrame {
 
 /// Adds up over time and over regions.
 struct Flows {
-  std::int64_t demand = 0;        ///< passengers who appeared
-  std::int64_t served = 0;        ///< in the step in which they were picked up
-  std::int64_t lost = 0;          ///< in the step in which their patience ended
-  std::int64_t wait_minutes = 0;  ///< that the served passengers waited
-  std::int64_t completions = 0;   ///< charging sessions that ended charged
+  std::int64_t demand = 0;         ///< passengers who appeared
+  std::int64_t served = 0;         ///< in the step in which they were picked up
+  std::int64_t lost = 0;           ///< in the step in which their patience ended
+  std::int64_t wait_minutes = 0;   ///< that the served passengers waited
+  std::int64_t completions = 0;    ///< charging sessions that ended charged
   std::int64_t queue_minutes = 0;  ///< vehicle-minutes that low-battery vehicles waited where there is a station
   std::int64_t stranded = 0;       ///< vehicles that arrived with an empty battery
   std::int64_t refused = 0;        ///< vehicles that plans asked for and regions did not have
@@ -68,18 +68,18 @@ struct CityStep {
   Stocks stocks{};
   std::int64_t under_way = 0;  ///< vehicles on the road at the step's end
   double idle_km = 0.0;        ///< J_D: rebalance_km + beta charge_km
-  Unfairness unfairness{};       ///< mean over the step's plans
+  Unfairness unfairness{};     ///< mean over the step's plans
 };
 
 /// What a day comes to.
 struct Totals {
   Flows flows{};
   double idle_km = 0.0;
-  Unfairness unfairness{};                      ///< sum over the steps
-  double unserved_ratio = 0.0;                ///< lost / (served + lost)
-  double p90_regional_loss = 0.0;             ///< 90th percentile of lost / (served + lost) over regions with passengers
-  double passenger_wait_min = 0.0;            ///< mean of the served passengers
-  double charger_wait_min = 0.0;              ///< vehicle-minutes in all
+  Unfairness unfairness{};          ///< sum over the steps
+  double unserved_ratio = 0.0;      ///< lost / (served + lost)
+  double p90_regional_loss = 0.0;   ///< 90th percentile of lost / (served + lost) over regions with passengers
+  double passenger_wait_min = 0.0;  ///< mean of the served passengers
+  double charger_wait_min = 0.0;    ///< vehicle-minutes in all
   double charger_wait_min_per_session = 0.0;  ///< over completed sessions
   double idle_km_per_served = 0.0;
 };

@@ -11,10 +11,10 @@ namespace {
 template <class Line>
 std::string csv(const DayClock& clock, const std::vector<Line>& lines) {
   std::string text = "start";
-  columns([&](const char* name, auto) { text += std::string(",") + name; }, Line{});
+  columns([&](const char* name, auto) { text.append(",").append(name); }, Line{});
   for (const auto& line : lines) {
-    text += "\n" + time_of_day(clock, line.step * clock.step);
-    columns([&](const char*, auto value) { text += "," + shortest(value); }, line);
+    text.append("\n").append(time_of_day(clock, line.step * clock.step));
+    columns([&](const char*, auto value) { text.append(",").append(shortest(value)); }, line);
   }
   return text + "\n";
 }

@@ -24,6 +24,7 @@ struct RequestedFault {
 ///
 ///     regions     region, name, points                       as installed
 ///     faults      fault, name, type, start, end              requested: the resolved schedule, in minutes
+///     injector    tick, ...                                  who said the effects of the tick
 ///     effects     tick, seq, fault, type, region, ...        requested, tick by tick, as the injector said
 ///     observed    tick, region, seq, fault, amount, evicted  what each fault was seen to do
 ///     reports     tick, region, vacant, ..., bound, ...      bound: "minute:errand:count" of the cars on their way
@@ -34,8 +35,9 @@ struct RequestedFault {
 ///     fates       tick, region, seq, appeared, waited, served, ...      passengers
 ///     events      tick, seq, kind, what                      a fault begins or ends, a plan falls back
 ///
-/// `seq` counts the like entries of one message. Columns `origin_process_id` and `origin_seconds` (effects have none)
-/// name the writer of a message and its CPU seconds; they and nothing else differ between two runs of a scenario.
+/// `seq` counts the like entries of one message. Columns `origin_process_id` and `origin_seconds` of
+/// injector, reports, plans and departures name the writer of a message and its CPU seconds; they and nothing else
+/// differ between two runs of a scenario.
 class DayFile {
  public:
   /// Creates the file, which must not exist.

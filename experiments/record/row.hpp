@@ -63,7 +63,7 @@ class RowWriter {
   void write(const std::string& name, const std::vector<std::int32_t>& values) {
     std::string text;
     for (const auto value : values) {
-      text += (text.empty() ? "" : " ") + std::to_string(value);
+      text.append(text.empty() ? "" : " ").append(shortest(value));
     }
     row_.push_back({name, text});
   }
@@ -71,8 +71,8 @@ class RowWriter {
   void write(const std::string& name, const std::vector<UnderWay>& cars) {
     std::string text;
     for (const auto& car : cars) {
-      text += (text.empty() ? "" : " ") + std::to_string(car.minute) + ":" + word(car.errand) + ":" +
-              std::to_string(car.count);
+      text.append(text.empty() ? "" : " ").append(shortest(car.minute)).append(":");
+      text.append(word(car.errand)).append(":").append(shortest(car.count));
     }
     row_.push_back({name, text});
   }

@@ -1,11 +1,10 @@
 #include "experiments/record/summary.hpp"
 
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 #include <algorithm>
 #include <set>
-
-#include <unistd.h>
 
 namespace evbal {
 namespace {
@@ -52,15 +51,9 @@ Json solver_json(const RunHeader& header, std::span<const TickRecord> ticks) {
   for (const double value : seconds) {
     total += value;
   }
-  return {{"engine", header.engine},
-          {"solves", seconds.size()},
-          {"fallbacks", count_fallbacks(ticks)},
-          {"iterations", iterations},
-          {"max_violation", violation},
-          {"max_gap", gap},
-          {"seconds", total},
-          {"seconds_median", median(seconds)},
-          {"seconds_max", largest(seconds)}};
+  return {{"engine", header.engine},  {"solves", seconds.size()},          {"fallbacks", count_fallbacks(ticks)},
+          {"iterations", iterations}, {"max_violation", violation},        {"max_gap", gap},
+          {"seconds", total},         {"seconds_median", median(seconds)}, {"seconds_max", largest(seconds)}};
 }
 
 Json processes_json(std::span<const TickRecord> ticks) {
