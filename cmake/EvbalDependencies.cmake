@@ -16,13 +16,15 @@ add_library(evbal::mrpt_math ALIAS evbal_mrpt_math)
 target_link_libraries(evbal_mrpt_math INTERFACE mrpt::math)
 
 find_package(CLI11 REQUIRED)
-find_package(SQLiteCpp REQUIRED)
 find_package(nlohmann_json REQUIRED)
+find_package(SQLiteCpp REQUIRED)
+
 # The bus. The generator of its types is a Java program whose package does not pull in a Java runtime.
 find_package(fastcdr REQUIRED)
 find_package(fastrtps REQUIRED)
 find_program(FASTDDSGEN fastddsgen REQUIRED)
 find_program(JAVA java REQUIRED)
+
 # COIN-OR ships no CMake configuration. Ipopt 3.11.9 includes <cstddef> only if it is told that there is one.
 find_path(COIN_INCLUDE_DIR coin/IpTNLP.hpp REQUIRED)
 find_library(IPOPT_LIBRARY ipopt REQUIRED)
@@ -37,5 +39,3 @@ add_library(evbal_clp INTERFACE)
 add_library(evbal::clp ALIAS evbal_clp)
 target_include_directories(evbal_clp SYSTEM INTERFACE ${COIN_INCLUDE_DIR} ${COIN_INCLUDE_DIR}/coin)
 target_link_libraries(evbal_clp INTERFACE ${CLP_LIBRARY} ${COINUTILS_LIBRARY})
-find_package(SQLiteCpp REQUIRED)
-find_package(nlohmann_json REQUIRED)

@@ -8,13 +8,6 @@
 
 namespace evbal {
 
-/// All that was said in one tick.
-struct TickRecord {
-  Faults faults;
-  Tick tick;
-  Exchange exchange;
-};
-
 /// Plays the world's day tick by tick and shows each to `observe` once it has passed its checks: every vehicle is in
 /// the one region that was handed it or on the road, plants + roads = fleet, points in use <= working points, nobody is
 /// planned to send more vehicles than it reported. Throws Error{run_failed} naming tick and region if one does not
