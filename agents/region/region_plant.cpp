@@ -27,6 +27,7 @@ double reserve(const std::vector<Passenger>& passengers, const std::vector<doubl
     return need_kwh[region];
   }
   std::vector<double> needs;
+  needs.reserve(passengers.size());
   for (const auto& passenger : passengers) {
     needs.push_back(need_kwh[passenger.destination]);
   }
@@ -224,6 +225,7 @@ RegionPlant make_plant(const World& world, int region) {
 std::vector<RegionPlant> make_plants(const World& world) {
   const std::vector<std::vector<Vehicle>> fleet = draw_fleet(world);
   std::vector<RegionPlant> plants;
+  plants.reserve(fleet.size());
   for (int region = 0; region < world.city.size(); ++region) {
     plants.emplace_back(world, region, draw_passengers(world, region), fleet[region]);
   }

@@ -1,65 +1,61 @@
 #include "experiments/conductor/run_day.hpp"
 
 #include "agents/region/draws.hpp"
+#include "common/error.hpp"
+#include "common/interrupt.hpp"
 #include "experiments/conductor/roads.hpp"
 
+#include <algorithm>
+#include <map>
 #include <numeric>
+#include <string>
 #include <vector>
 
 namespace evbal {
 namespace {
 
-class Checks {
- public:
-  Checks(const World& world, const Roads& roads) : world_(world), roads_(roads) {}
-
-  void check(const TickRecord& record) const {
-    check_departures(record);
-    if (record.exchange.plan) {
-      check_plan(*record.exchange.plan, record.exchange.reports);
-    }
+/// Throws unless `holds`.
+void require(bool holds, const World& world, int tick, int region, const std::string& what) {
+  if (!holds) {
+    throw run_failed("tick " + std::to_string(tick) + " (" + time_of_day(world.clock, world.clock.minute_of(tick)) +
+                     "), region " + std::to_string(region) + " (" + world.city.regions[region].name + "): " + what);
   }
+}
 
- private:
-  void require(bool holds, int tick, int region, const std::string& what) const {
-    if (!holds) {
-      throw run_failed("tick " + std::to_string(tick) + " (" + time_of_day(world_.clock, world_.clock.minute_of(tick)) +
-                       "), region " + std::to_string(region) + " (" + world_.city.regions[region].name + "): " + what);
-    }
+/// Every region that is due has spoken, of this tick and in its turn.
+void check_complete(const Tick& tick, const Exchange& exchange) {
+  const auto in_turn = [&](const auto& messages) {
+    return std::equal(
+        messages.begin(), messages.end(), tick.due.begin(), tick.due.end(),
+        [&](const auto& message, int region) { return message.tick == tick.tick && message.region == region; });
+  };
+  if (!in_turn(exchange.departures) || (tick.plan_due && !in_turn(exchange.reports)) ||
+      tick.plan_due != exchange.plan.has_value() || (exchange.plan && exchange.plan->tick != tick.tick)) {
+    throw run_failed("tick " + std::to_string(tick.tick) + ": reports, plan or departures are missing");
   }
+}
 
-  void check_departures(const TickRecord& record) const {
-    const int tick = record.tick.tick;
-    int fleet = roads_.count();
-    for (int i = 0; i < world_.city.size(); ++i) {
-      const Departures& said = record.exchange.departures[i];
-      const int here = said.vacant + said.low_battery + said.plugged;
-      require(here == roads_.held_by(i), tick, i,
-              "has " + std::to_string(here) + " vehicles, was handed " + std::to_string(roads_.held_by(i)));
-      require(said.plugged <= said.points, tick, i,
-              std::to_string(said.plugged) + " points in use, " + std::to_string(said.points) + " work");
-      fleet += here;
-    }
-    require(fleet == world_.city.fleet.vehicles, tick, 0, "plants and roads together are not the fleet");
+/// With as many vehicles in every region as it was handed, plants + roads = fleet: each vehicle has one holder.
+void check_vehicles_and_points(const World& world, const Roads& roads, const Departures& said) {
+  const int here = said.vacant + said.low_battery + said.plugged;
+  const int handed = roads.held_by(said.region);
+  require(here == handed, world, said.tick, said.region,
+          "has " + std::to_string(here) + " vehicles, was handed " + std::to_string(handed));
+  require(said.plugged <= said.points, world, said.tick, said.region,
+          std::to_string(said.plugged) + " points in use, " + std::to_string(said.points) + " work");
+}
+
+void check_plan(const World& world, const Plan& plan, const std::vector<Report>& reports) {
+  std::map<int, int> vacant;
+  std::map<int, int> low_battery;
+  for (const auto& move : plan.moves) {
+    (move.errand == Errand::rebalance ? vacant : low_battery)[move.from] += move.count;
   }
-
-  void check_plan(const Plan& plan, const std::vector<Report>& reports) const {
-    std::vector<int> vacant(reports.size(), 0);
-    std::vector<int> low_battery(reports.size(), 0);
-    for (const auto& move : plan.moves) {
-      require(move.from >= 0 && move.from < static_cast<int>(reports.size()), plan.tick, 0,
-              "a plan names region " + std::to_string(move.from));
-      (move.errand == Errand::rebalance ? vacant : low_battery)[move.from] += move.count;
-    }
-    for (const auto& report : reports) {
-      require(vacant[report.region] <= report.vacant && low_battery[report.region] <= report.low_battery, plan.tick,
-              report.region, "is planned to send more vehicles than it reported");
-    }
+  for (const auto& report : reports) {
+    require(vacant[report.region] <= report.vacant && low_battery[report.region] <= report.low_battery, world,
+            plan.tick, report.region, "is planned to send more vehicles than it reported");
   }
-
-  const World& world_;
-  const Roads& roads_;
-};
+}
 
 Tick announce(const World& world, int tick, Roads& roads, const Faults& faults) {
   Tick announced;
@@ -73,27 +69,12 @@ Tick announce(const World& world, int tick, Roads& roads, const Faults& faults) 
   return announced;
 }
 
-/// Every region that is due has spoken, of this tick and in its turn.
-void check_complete(const Tick& tick, const Exchange& exchange) {
-  const auto in_turn = [&](const auto& messages) {
-    bool holds = messages.size() == tick.due.size();
-    for (std::size_t i = 0; holds && i < messages.size(); ++i) {
-      holds = messages[i].tick == tick.tick && messages[i].region == tick.due[i];
-    }
-    return holds;
-  };
-  if (!in_turn(exchange.departures) || (tick.plan_due && !in_turn(exchange.reports)) ||
-      tick.plan_due != exchange.plan.has_value()) {
-    throw run_failed("tick " + std::to_string(tick.tick) + ": reports, plan or departures are missing");
-  }
-}
-
 }  // namespace
 
 void run_day(const World& world, Players& players, const std::function<void(const TickRecord&)>& observe) {
   Roads roads(draw_fleet(world));
-  const Checks checks(world, roads);
   for (int tick = 0; tick < world.clock.ticks(); ++tick) {
+    check_interrupt();
     TickRecord record;
     record.faults = players.faults(tick);
     record.tick = announce(world, tick, roads, record.faults);
@@ -102,7 +83,12 @@ void run_day(const World& world, Players& players, const std::function<void(cons
     for (const auto& departures : record.exchange.departures) {
       roads.take(departures, world.clock.minute_of(tick + 1));
     }
-    checks.check(record);
+    for (const auto& departures : record.exchange.departures) {
+      check_vehicles_and_points(world, roads, departures);
+    }
+    if (record.exchange.plan) {
+      check_plan(world, *record.exchange.plan, record.exchange.reports);
+    }
     observe(record);
   }
 }

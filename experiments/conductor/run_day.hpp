@@ -1,6 +1,5 @@
 #pragma once
 
-#include "agents/protocol/messages.hpp"
 #include "agents/region/world.hpp"
 #include "experiments/conductor/players.hpp"
 
