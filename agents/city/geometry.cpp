@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace evbal {
@@ -66,6 +67,7 @@ struct OutlineMap::Rings {
     int outline = 0;
     LocalPoint low;  // of the bounding box
     LocalPoint high;
+    double area = 0.0;  ///< of the bounding box
     mrpt::math::TPolygon2D polygon;
   };
   LocalFrame frame;
@@ -78,16 +80,19 @@ OutlineMap::OutlineMap(std::span<const Outline> outlines) {
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     for (const auto& outline_ring : outlines[i]) {
       const LocalPoint first = rings->frame.local(outline_ring.front());
-      Rings::Ring ring{static_cast<int>(i), first, first, {}};
+      Rings::Ring ring{static_cast<int>(i), first, first, 0.0, {}};
       for (const LatLon point : outline_ring) {
         const LocalPoint place = rings->frame.local(point);
         ring.low = {std::min(ring.low.east, place.east), std::min(ring.low.north, place.north)};
         ring.high = {std::max(ring.high.east, place.east), std::max(ring.high.north, place.north)};
         ring.polygon.emplace_back(place.east, place.north);
       }
+      ring.area = (ring.high.east - ring.low.east) * (ring.high.north - ring.low.north);
       rings->rings.push_back(std::move(ring));
     }
   }
+  std::stable_sort(rings->rings.begin(), rings->rings.end(),
+                   [](const Rings::Ring& a, const Rings::Ring& b) { return a.area < b.area; });
   rings_ = std::move(rings);
 }
 
@@ -112,11 +117,15 @@ OutlineMap::Nearest OutlineMap::nearest(LatLon point) const {
     return {*inside, 0.0};
   }
   const LocalPoint at = rings_->frame.local(point);
-  Nearest best{-1, 0.0};
+  Nearest best{-1, std::numeric_limits<double>::infinity()};
   for (const auto& ring : rings_->rings) {
-    const double metres = ring.polygon.distance({at.east, at.north});
-    if (best.outline < 0 || metres < best.metres) {
-      best = {ring.outline, metres};
+    const LocalPoint in_box{std::clamp(at.east, ring.low.east, ring.high.east),
+                            std::clamp(at.north, ring.low.north, ring.high.north)};
+    if (distance(at, in_box) < best.metres) {
+      const double metres = ring.polygon.distance({at.east, at.north});
+      if (metres < best.metres) {
+        best = {ring.outline, metres};
+      }
     }
   }
   return best;

@@ -44,7 +44,7 @@ class OutlineMap {
   OutlineMap(OutlineMap&&) noexcept;
   OutlineMap& operator=(OutlineMap&&) noexcept;
 
-  /// First outline that contains the point, if any does.
+  /// The outline that contains the point, if any does; the smallest of several (one may lie in a hole of another).
   std::optional<int> containing(LatLon point) const;
 
   /// The outline that contains the point, else the one with the nearest edge; and how many metres away it is.

@@ -1,42 +1,17 @@
 #include "agents/city/city.hpp"
 #include "agents/city/synthetic.hpp"
 #include "common/error.hpp"
+#include "tests/folder.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <fstream>
-#include <functional>
-#include <sstream>
 
 namespace evbal {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// An empty folder of this test, removed at the end.
-class Folder {
- public:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "evbal-XXXXXX").string();
-    path_ = mkdtemp(name.data());
-  }
-  ~Folder() { fs::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
 
 void expect_equal(const City& a, const City& b) {
   EXPECT_EQ(a.name, b.name);

@@ -2,6 +2,7 @@
 
 #include "agents/city/synthetic.hpp"
 #include "common/error.hpp"
+#include "tools/ingest/ingest_trips.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -50,11 +51,36 @@ void add_synthetic(CLI::App& ingest) {
   });
 }
 
+void add_trips(CLI::App& ingest) {
+  struct Arguments {
+    TripSources sources;
+    std::string out;
+  };
+  const auto arguments = std::make_shared<Arguments>();
+  TripSources& sources = arguments->sources;
+  CLI::App* command = ingest.add_subcommand("trips", "Make a city of trip records and polygons");
+  command->add_option("--trips", sources.trips, "Folder of trip tables, .csv or .csv.gz")->required();
+  command->add_option("--zones", sources.zones, "GeoJSON of the polygons to merge, plain or .gz")->required();
+  command->add_option("--sessions", sources.sessions, "Folder of charging sessions")->required();
+  command->add_option("--notes", sources.notes, "YAML of what the records do not say: days, fleet, chargers, limits")
+      ->required();
+  command->add_option("--regions", sources.regions, "Number of regions")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 5000));
+  command->add_option("--out", arguments->out, "Folder of the new pack")->required();
+  command->callback([arguments] {
+    const IngestedCity made = ingest_trips(arguments->sources);
+    write_city(made.city, made.days, arguments->out);
+    std::cout << made.report << "wrote " << arguments->out << "\n";
+  });
+}
+
 }  // namespace
 
 void add_ingest_command(CLI::App& app) {
   CLI::App* ingest = app.add_subcommand("ingest", "Make a city pack from raw records or from a seed");
   ingest->require_subcommand(1);
+  add_trips(*ingest);
   add_synthetic(*ingest);
 }
 

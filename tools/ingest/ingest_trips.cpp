@@ -1,0 +1,221 @@
+#include "tools/ingest/ingest_trips.hpp"
+
+#include "common/error.hpp"
+#include "tools/ingest/merge_zones.hpp"
+#include "tools/ingest/outlines.hpp"
+#include "tools/ingest/sessions.hpp"
+#include "tools/ingest/stations.hpp"
+#include "tools/ingest/travel.hpp"
+#include "tools/ingest/trips.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <map>
+#include <memory>
+#include <sstream>
+#include <tuple>
+
+namespace evbal {
+namespace {
+
+constexpr double kOutlineTolerance = 30.0;  // m
+constexpr double kPriorTrips = 10.0;        // weight of the travel law against a pair's own trips
+constexpr int kSessionQuantiles = 21;
+
+/// To the nearest 1 / `parts`, so that it is short in a file.
+double rounded(double value, double parts) {
+  return std::round(value * parts) / parts;
+}
+
+LatLon rounded(LatLon point) {
+  return {rounded(point.lat, 1e5), rounded(point.lon, 1e5)};
+}
+
+ZoneWeights weigh_zones(const TripSources& sources, const CityNotes& notes, const std::vector<Zone>& zones) {
+  const std::vector<Outline> outlines = outlines_of(zones);
+  const OutlineMap map(outlines);
+  ZoneWeights weights{std::vector<double>(zones.size(), 0.0), {}};
+  double trips = 0.0;
+  const auto& training = notes.city.train_days;
+  for_each_trip(sources.trips, notes, [&](const Trip& trip) {
+    const auto zone = map.containing(trip.from);
+    if (zone && std::binary_search(training.begin(), training.end(), notes.city.days[trip.day])) {
+      weights.pickups[*zone] += 1.0;
+      weights.mean_pickup.lat += trip.from.lat;
+      weights.mean_pickup.lon += trip.from.lon;
+      trips += 1.0;
+    }
+  });
+  if (trips == 0.0) {
+    throw bad_input(sources.trips.string(), 0, "no trip of the training days starts in a zone");
+  }
+  weights.mean_pickup = {weights.mean_pickup.lat / trips, weights.mean_pickup.lon / trips};
+  return weights;
+}
+
+/// Trips between regions.
+struct Counts {
+  using Key = std::tuple<int, int, int>;  ///< step, origin, destination
+  std::vector<std::map<Key, int>> days;
+  Eigen::VectorXd ends;  ///< pick-ups and drop-offs of each region
+  Eigen::VectorXd pickups;
+  long long used = 0;
+  long long snapped = 0;  ///< with an end outside the zones but near
+  RowCount rows;
+};
+
+/// Says in which region a point lies.
+class RegionFinder {
+ public:
+  RegionFinder(const std::vector<Zone>& zones, const std::vector<int>& region_of, double snap_m) : snap_m_(snap_m) {
+    const std::vector<Outline> all = outlines_of(zones);
+    std::vector<Outline> kept;
+    for (std::size_t z = 0; z < zones.size(); ++z) {
+      if (region_of[z] >= 0) {
+        kept.push_back(all[z]);
+        regions_.push_back(region_of[z]);
+      }
+    }
+    map_ = std::make_unique<OutlineMap>(kept);
+  }
+
+  struct Found {
+    int region = -1;  ///< -1 if too far outside
+    bool inside = false;
+  };
+
+  Found find(LatLon point) const {
+    const auto nearest = map_->nearest(point);
+    return {nearest.metres <= snap_m_ ? regions_[nearest.outline] : -1, nearest.metres == 0.0};
+  }
+
+ private:
+  double snap_m_;
+  std::vector<int> regions_;  ///< by outline
+  std::unique_ptr<OutlineMap> map_;
+};
+
+Counts count_trips(const TripSources& sources, const CityNotes& notes, const RegionFinder& finder, TravelSums& travel) {
+  const int regions = sources.regions;
+  Counts counts;
+  counts.days.resize(notes.city.days.size());
+  counts.ends = Eigen::VectorXd::Zero(regions);
+  counts.pickups = counts.ends;
+  counts.rows = for_each_trip(sources.trips, notes, [&](const Trip& trip) {
+    const auto from = finder.find(trip.from);
+    const auto to = finder.find(trip.to);
+    if (from.region < 0 || to.region < 0) {
+      return;
+    }
+    ++counts.used;
+    counts.snapped += from.inside && to.inside ? 0 : 1;
+    ++counts.days[trip.day][{trip.step, from.region, to.region}];
+    counts.pickups[from.region] += 1.0;
+    counts.ends[from.region] += 1.0;
+    counts.ends[to.region] += 1.0;
+    travel.add(from.region, to.region, trip);
+  });
+  for (std::size_t d = 0; d < counts.days.size(); ++d) {
+    if (counts.days[d].empty()) {
+      throw bad_input(sources.trips.string(), 0, "has no trip of " + notes.city.days[d]);
+    }
+  }
+  return counts;
+}
+
+std::vector<DemandDay> demand_days(const City& city, const Counts& counts) {
+  std::vector<DemandDay> days;
+  for (std::size_t d = 0; d < counts.days.size(); ++d) {
+    const bool holiday = std::binary_search(city.holidays.begin(), city.holidays.end(), city.days[d]);
+    DemandDay& day = days.emplace_back(DemandDay{city.days[d], holiday, {}});
+    day.steps.resize(city.steps_per_day());
+    for (const auto& [key, trips] : counts.days[d]) {
+      const auto& [step, origin, destination] = key;
+      day.steps[step].push_back({origin, destination, trips});
+    }
+  }
+  return days;
+}
+
+void add_regions(City& city, const std::vector<Zone>& zones, const MergedZones& merged, const TravelSums& travel) {
+  const auto regions = static_cast<int>(merged.names.size());
+  const auto outlines = merged_outlines(zones, merged.region_of, regions, kOutlineTolerance);
+  std::vector<LatLon> corners;
+  for (const auto& outline : outlines) {
+    corners.push_back(outline.front().front());
+  }
+  const auto centroids = travel.centroids(corners);
+  for (int r = 0; r < regions; ++r) {
+    city.regions.push_back({merged.names[r], outlines[r], rounded(centroids[r])});
+  }
+}
+
+void add_travel(City& city, const TravelSums& travel, double detour) {
+  std::vector<LatLon> centroids;
+  for (const auto& region : city.regions) {
+    centroids.push_back(region.centroid);
+  }
+  const auto matrices = travel.matrices(centroids, detour, kPriorTrips);
+  city.km = matrices.km.unaryExpr([](double km) { return rounded(km, 100.0); });
+  city.minutes = matrices.minutes.unaryExpr([](double minutes) { return rounded(minutes, 10.0); });
+}
+
+void add_stations(City& city, const Counts& counts, const CityNotes& notes) {
+  for (const auto& choice : choose_stations(city.km, counts.ends, notes.stations, notes.points)) {
+    const Region& region = city.regions[choice.region];
+    city.stations.push_back({"s-" + region.name, choice.region, choice.points, region.centroid});
+  }
+}
+
+std::string report_of(const City& city, const Counts& counts, const TravelLaw& law, const SessionSample& sessions) {
+  std::ostringstream out;
+  out << std::fixed << std::setprecision(2);
+  out << "rows read: " << counts.rows.read << "\n";
+  for (const auto& [reason, rows] : counts.rows.dropped) {
+    out << "  dropped, " << reason << ": " << rows << "\n";
+  }
+  out << "  dropped, an end outside the regions: " << counts.rows.used - counts.used << "\n"
+      << "trips used: " << counts.used << " on " << city.days.size() << " days\n"
+      << "  with an end moved to the nearest zone: " << counts.snapped << "\n"
+      << "regions: " << city.size() << ", pick-ups each from " << std::lround(counts.pickups.minCoeff()) << " to "
+      << std::lround(counts.pickups.maxCoeff()) << ", mean " << std::lround(counts.pickups.mean()) << "\n"
+      << "travel law: minutes = " << law.start << " + " << law.per_km << " * km\n"
+      << "stations: " << city.stations.size() << ", points: " << city.points().sum() << "\n"
+      << "session rows read: " << sessions.read << "\n"
+      << "  dropped, another model of charger: " << sessions.other_model << "\n"
+      << "  dropped, no start or no end: " << sessions.unfinished << "\n"
+      << "  dropped, too short or too long: " << sessions.out_of_range << "\n"
+      << "sessions used: " << sessions.minutes.size() << ", median "
+      << city.charging.session_quantiles[kSessionQuantiles / 2] << " min\n";
+  return out.str();
+}
+
+}  // namespace
+
+IngestedCity ingest_trips(const TripSources& sources) {
+  const CityNotes notes = read_notes(sources.notes);
+  if (notes.stations > sources.regions) {
+    throw bad_input(sources.notes.string(), 0, "more stations than regions; give at most one a region");
+  }
+  const std::vector<Zone> zones = read_zones(sources.zones);
+  const ZoneWeights weights = weigh_zones(sources, notes, zones);
+  const MergedZones merged = merge_zones(zones, weights, notes, sources.regions);
+  const RegionFinder finder(zones, merged.region_of, notes.snap_m);
+  TravelSums travel(sources.regions, weights.mean_pickup);
+  const Counts counts = count_trips(sources, notes, finder, travel);
+  const SessionSample sessions =
+      read_sessions(sources.sessions, notes.session_model, notes.shortest_session, notes.longest_session);
+
+  IngestedCity made{notes.city, {}, {}};
+  City& city = made.city;
+  city.charging.session_quantiles = quantiles(sessions.minutes, kSessionQuantiles);
+  add_regions(city, zones, merged, travel);
+  add_travel(city, travel, notes.detour);
+  add_stations(city, counts, notes);
+  made.days = demand_days(city, counts);
+  made.report = report_of(city, counts, travel.law(), sessions);
+  return made;
+}
+
+}  // namespace evbal

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "agents/city/city.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace evbal {
+
+struct TripSources {
+  std::filesystem::path trips;     ///< folder of trip tables (for_each_trip)
+  std::filesystem::path zones;     ///< GeoJSON of polygons to merge (read_zones)
+  std::filesystem::path sessions;  ///< folder of charging sessions (read_sessions)
+  std::filesystem::path notes;     ///< what the records do not say (read_notes)
+  int regions = 54;                ///< with those apart
+};
+
+struct IngestedCity {
+  City city;
+  std::vector<DemandDay> days;
+  std::string report;  ///< what was read, dropped and why; one item a line
+};
+
+/// Makes a city of trip records. The trips are streamed twice: once to weigh the zones, once to count between regions.
+/// Throws Error{bad_input}.
+IngestedCity ingest_trips(const TripSources& sources);
+
+}  // namespace evbal

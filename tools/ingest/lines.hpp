@@ -1,0 +1,44 @@
+#pragma once
+
+#include "common/error.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace evbal {
+
+/// The lines of a text file, plain or compressed (.gz, .xz, ...), read as a stream: memory does not grow with the
+/// file. Throws Error{bad_input} with file and line if the file is missing, no such text, or truncated.
+class LineReader {
+ public:
+  explicit LineReader(const std::filesystem::path& file);
+  ~LineReader();
+  LineReader(const LineReader&) = delete;
+  LineReader& operator=(const LineReader&) = delete;
+
+  /// Puts the next line, without its end, into `line`; false at the end of the file.
+  bool next(std::string& line);
+
+  /// An error at the current line.
+  Error error(const std::string& message) const;
+
+ private:
+  struct Stream;
+  std::unique_ptr<Stream> stream_;
+  std::string file_;
+  int line_ = 0;
+};
+
+/// A whole file, plain or compressed.
+std::string read_text(const std::filesystem::path& file);
+
+/// The fields of a line of CSV; a field may stand in double quotes, a doubled quote inside means one.
+std::vector<std::string> split_csv(const std::string& line);
+
+/// The files of a folder whose name ends in one of .csv, .csv.gz, .csv.xz, by name. Throws Error{bad_input} if there
+/// are none.
+std::vector<std::filesystem::path> csv_files(const std::filesystem::path& folder);
+
+}  // namespace evbal

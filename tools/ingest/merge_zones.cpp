@@ -1,0 +1,122 @@
+#include "tools/ingest/merge_zones.hpp"
+
+#include "common/error.hpp"
+#include "tools/ingest/partition.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace evbal {
+namespace {
+
+/// Zones within reach that hang together with the busiest of them.
+std::vector<bool> zones_in_city(const std::vector<Zone>& zones, const ZoneWeights& weights, double reach_km,
+                                const std::vector<std::vector<int>>& neighbours, const std::vector<int>& apart) {
+  const LocalFrame frame(weights.mean_pickup);
+  std::vector<bool> near;
+  int busiest = -1;
+  for (std::size_t z = 0; z < zones.size(); ++z) {
+    const bool taken = std::find(apart.begin(), apart.end(), static_cast<int>(z)) != apart.end();
+    near.push_back(!taken && distance(frame.local(zones[z].centre), {}) <= 1000.0 * reach_km);
+    if (near.back() && (busiest < 0 || weights.pickups[z] > weights.pickups[busiest])) {
+      busiest = static_cast<int>(z);
+    }
+  }
+  return busiest < 0 ? near : reachable(neighbours, busiest, near);
+}
+
+std::vector<int> zones_apart(const std::vector<Zone>& zones, const CityNotes& notes) {
+  const std::vector<Outline> outlines = outlines_of(zones);
+  const OutlineMap map(outlines);
+  std::vector<int> apart;
+  for (const auto& place : notes.apart) {
+    const auto zone = map.containing(place.place);
+    if (!zone) {
+      throw bad_input("place apart `" + place.name + "` lies in no zone");
+    }
+    apart.push_back(*zone);
+  }
+  return apart;
+}
+
+/// The chosen zones as a graph of their own.
+ZoneGraph graph_of(const std::vector<Zone>& zones, const ZoneWeights& weights, const std::vector<int>& chosen,
+                   const std::vector<std::vector<int>>& neighbours) {
+  std::vector<int> position(zones.size(), -1);
+  for (std::size_t p = 0; p < chosen.size(); ++p) {
+    position[chosen[p]] = static_cast<int>(p);
+  }
+  const LocalFrame frame(weights.mean_pickup);
+  ZoneGraph graph;
+  for (const int z : chosen) {
+    graph.weight.push_back(weights.pickups[z]);
+    graph.area.push_back(std::max(1.0, zones[z].area_m2));
+    graph.centre.push_back(frame.local(zones[z].centre));
+    auto& near = graph.neighbours.emplace_back();
+    for (const int n : neighbours[z]) {
+      if (position[n] >= 0) {
+        near.push_back(position[n]);
+      }
+    }
+  }
+  return graph;
+}
+
+/// Parts renumbered from north to south by their centre of area.
+std::vector<int> north_to_south(const ZoneGraph& graph, const std::vector<int>& part, int parts) {
+  std::vector<double> area(parts, 0.0);
+  std::vector<double> north(parts, 0.0);
+  for (std::size_t p = 0; p < part.size(); ++p) {
+    area[part[p]] += graph.area[p];
+    north[part[p]] += graph.area[p] * graph.centre[p].north;
+  }
+  std::vector<int> order(parts);
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return north[a] / area[a] > north[b] / area[b]; });
+  std::vector<int> rank(parts);
+  for (int r = 0; r < parts; ++r) {
+    rank[order[r]] = r;
+  }
+  std::vector<int> renumbered;
+  for (const int p : part) {
+    renumbered.push_back(rank[p]);
+  }
+  return renumbered;
+}
+
+}  // namespace
+
+MergedZones merge_zones(const std::vector<Zone>& zones, const ZoneWeights& weights, const CityNotes& notes,
+                        int regions) {
+  const std::vector<int> apart = zones_apart(zones, notes);
+  const auto neighbours = neighbours_of(zones);
+  const auto in_city = zones_in_city(zones, weights, notes.reach_km, neighbours, apart);
+  std::vector<int> chosen;
+  for (std::size_t z = 0; z < zones.size(); ++z) {
+    if (in_city[z]) {
+      chosen.push_back(static_cast<int>(z));
+    }
+  }
+  const int parts = regions - static_cast<int>(apart.size());
+  if (parts < 1 || static_cast<int>(chosen.size()) < parts) {
+    throw bad_input("cannot make " + std::to_string(regions) + " regions, " + std::to_string(apart.size()) +
+                    " of them apart, of " + std::to_string(chosen.size()) + " zones within reach");
+  }
+  const ZoneGraph graph = graph_of(zones, weights, chosen, neighbours);
+  const std::vector<int> part = north_to_south(graph, partition(graph, parts), parts);
+
+  MergedZones merged{std::vector<int>(zones.size(), -1), {}};
+  for (std::size_t p = 0; p < chosen.size(); ++p) {
+    merged.region_of[chosen[p]] = part[p];
+  }
+  for (int r = 0; r < parts; ++r) {
+    merged.names.push_back((r < 9 ? "r0" : "r") + std::to_string(r + 1));
+  }
+  for (std::size_t a = 0; a < apart.size(); ++a) {
+    merged.region_of[apart[a]] = parts + static_cast<int>(a);
+    merged.names.push_back(notes.apart[a].name);
+  }
+  return merged;
+}
+
+}  // namespace evbal

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "agents/city/city.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace evbal {
+
+/// What raw records do not say about a city: read from a small YAML file such as tools/ingest/san-francisco.yaml.
+struct CityNotes {
+  City city;           ///< name, source, clock, days, fleet, passengers and the chargers' power
+  int utc_offset = 0;  ///< minutes that local time is ahead of UTC
+
+  /// Which trips count.
+  double shortest_minutes = 1.0;
+  double longest_minutes = 120.0;
+  double fastest_kmh = 120.0;  ///< along the straight line
+
+  double detour = 1.3;     ///< driven distance over straight distance
+  double reach_km = 20.0;  ///< zones further than this from the mean pick-up are left out
+  double snap_m = 500.0;   ///< trip ends up to this far outside the zones belong to the nearest
+
+  /// A place whose zone becomes a region of its own, such as an airport.
+  struct Apart {
+    std::string name;
+    LatLon place;
+  };
+  std::vector<Apart> apart;
+
+  int stations = 0;
+  int points = 0;  ///< of all stations, >= stations
+
+  std::string session_model;       ///< word in the charger's model by which its sessions count
+  double shortest_session = 12.0;  ///< minutes
+  double longest_session = 90.0;
+};
+
+/// Throws Error{bad_input} with file and line.
+CityNotes read_notes(const std::filesystem::path& file);
+
+}  // namespace evbal

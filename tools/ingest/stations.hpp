@@ -1,0 +1,20 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace evbal {
+
+struct StationChoice {
+  int region = 0;
+  int points = 0;
+};
+
+/// Places `stations` in different regions, one after the other where it shortens most the way to the nearest station,
+/// summed over regions by `demand`; then shares `points` (>= stations) by the demand that each is nearest to, one at
+/// least. By region. Deterministic.
+std::vector<StationChoice> choose_stations(const Eigen::MatrixXd& km, const Eigen::VectorXd& demand, int stations,
+                                           int points);
+
+}  // namespace evbal

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "agents/city/geometry.hpp"
+#include "tools/ingest/trips.hpp"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace evbal {
+
+/// minutes = start + per_km * km.
+struct TravelLaw {
+  double start = 0.0;
+  double per_km = 0.0;
+};
+
+/// Sums over trips from which km and minutes of every pair of regions follow, seen or not.
+class TravelSums {
+ public:
+  TravelSums(int regions, LatLon origin);
+
+  void add(int from, int to, const Trip& trip);
+
+  /// Mean of the trip ends in each region; `fallback` where there is none.
+  std::vector<LatLon> centroids(const std::vector<LatLon>& fallback) const;
+
+  /// Least squares over all trips.
+  TravelLaw law() const;
+
+  struct Matrices {
+    Eigen::MatrixXd km;
+    Eigen::MatrixXd minutes;
+  };
+
+  /// Means per pair, shrunk: a pair's km towards detour * sqrt(D^2 + s_from^2 + s_to^2), the root mean square distance
+  /// of two independent trip ends (D between the centroids, s the spread around each); its minutes towards the
+  /// law at its km. The prior weighs as much as `prior_trips` trips.
+  Matrices matrices(const std::vector<LatLon>& centroids, double detour, double prior_trips) const;
+
+ private:
+  LocalFrame frame_;
+  Eigen::MatrixXd trips_;
+  Eigen::MatrixXd km_;  // sums
+  Eigen::MatrixXd minutes_;
+  Eigen::VectorXd ends_;  // trip ends in each region,
+  Eigen::VectorXd east_;  // sums of their places and squared places
+  Eigen::VectorXd north_;
+  Eigen::VectorXd square_;
+  double km2_ = 0.0;  // sums over all trips
+  double km_minutes_ = 0.0;
+};
+
+}  // namespace evbal
