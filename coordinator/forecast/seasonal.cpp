@@ -64,10 +64,14 @@ Regressors regressors(const Deviations& deviations, const Eigen::VectorXd& mean)
 }
 
 SeasonalForecaster::SeasonalForecaster(const SeasonalModel& model, DayKind kind, int start)
-    : model_(model), mean_(model.mean[static_cast<std::size_t>(kind)]), start_(start) {}
+    : step_minutes_(model.step_minutes),
+      mean_(model.mean[static_cast<std::size_t>(kind)]),
+      own_(model.own),
+      city_(model.city),
+      start_(start) {}
 
 Eigen::VectorXd SeasonalForecaster::seasonal(int from, int to) const {
-  return window_sum(mean_, model_.step_minutes, start_ + from, start_ + to);
+  return window_sum(mean_, step_minutes_, start_ + from, start_ + to);
 }
 
 void SeasonalForecaster::observe(int minute, const Eigen::VectorXd& counts) {
@@ -78,17 +82,18 @@ void SeasonalForecaster::observe(int minute, const Eigen::VectorXd& counts) {
     return;
   }
   pieces_.push_back({from, minute, counts});
-  while (pieces_.front().to <= minute - model_.lags() * model_.step_minutes) {
+  const int memory = seasonal_lags * step_minutes_;
+  while (pieces_.front().to <= minute - memory) {
     pieces_.pop_front();
   }
 }
 
 Deviations SeasonalForecaster::deviations() const {
-  Deviations out{Eigen::MatrixXd::Zero(mean_.rows(), model_.lags()), Eigen::VectorXd::Zero(model_.lags())};
+  Deviations out{Eigen::MatrixXd::Zero(mean_.rows(), seasonal_lags), Eigen::VectorXd::Zero(seasonal_lags)};
   const int now = pieces_.empty() ? 0 : pieces_.back().to;
-  for (int lag = 0; lag < model_.lags(); ++lag) {
-    const int end = now - lag * model_.step_minutes;
-    const int begin = end - model_.step_minutes;
+  for (int lag = 0; lag < seasonal_lags; ++lag) {
+    const int end = now - lag * step_minutes_;
+    const int begin = end - step_minutes_;
     if (begin < 0) {
       break;
     }
@@ -109,14 +114,14 @@ Deviations SeasonalForecaster::deviations() const {
 }
 
 Eigen::MatrixXd SeasonalForecaster::forecast(int minute, int tau) const {
-  assert(tau <= model_.leads());
+  assert(tau <= own_.cols());
   const Deviations deviations = this->deviations();
   Eigen::MatrixXd out(mean_.rows(), tau);
   for (int lead = 0; lead < tau; ++lead) {
-    const int from = minute + lead * model_.step_minutes;
-    const Eigen::VectorXd mean = seasonal(from, from + model_.step_minutes);
+    const int from = minute + lead * step_minutes_;
+    const Eigen::VectorXd mean = seasonal(from, from + step_minutes_);
     const Regressors x = regressors(deviations, mean);
-    out.col(lead) = (mean + x.own * model_.own.col(lead) + x.city * model_.city.col(lead)).cwiseMax(0.0);
+    out.col(lead) = (mean + x.own * own_.col(lead) + x.city * city_.col(lead)).cwiseMax(0.0);
   }
   return out;
 }
@@ -124,8 +129,8 @@ Eigen::MatrixXd SeasonalForecaster::forecast(int minute, int tau) const {
 Eigen::MatrixXd SeasonalForecaster::scale(int minute, int tau) const {
   Eigen::MatrixXd out(mean_.rows(), tau);
   for (int lead = 0; lead < tau; ++lead) {
-    const int from = minute + lead * model_.step_minutes;
-    out.col(lead) = count_scale(seasonal(from, from + model_.step_minutes));
+    const int from = minute + lead * step_minutes_;
+    out.col(lead) = count_scale(seasonal(from, from + step_minutes_));
   }
   return out;
 }

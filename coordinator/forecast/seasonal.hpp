@@ -19,6 +19,9 @@ enum class DayKind {
 };
 inline constexpr int day_kinds = 3;
 
+/// Steps that a SeasonalModel looks back.
+inline constexpr int seasonal_lags = 3;
+
 /// Kind of an ISO date ("2008-06-03") by the Gregorian calendar; a holiday is like a Sunday.
 /// Throws Error{bad_input} if `date` is none.
 DayKind day_kind(const std::string& date, bool holiday);
@@ -30,11 +33,10 @@ DayKind day_kind(const std::string& date, bool holiday);
 struct SeasonalModel {
   int step_minutes = 30;
   std::array<Eigen::MatrixXd, day_kinds> mean;  ///< by DayKind, N x steps of the day
-  Eigen::MatrixXd own;                          ///< lags x leads
-  Eigen::MatrixXd city;                         ///< lags x leads
+  Eigen::MatrixXd own;                          ///< seasonal_lags x leads
+  Eigen::MatrixXd city;                         ///< seasonal_lags x leads
 
   int regions() const { return static_cast<int>(mean[0].rows()); }
-  int lags() const { return static_cast<int>(own.rows()); }
   int leads() const { return static_cast<int>(own.cols()); }
 };
 
@@ -47,8 +49,8 @@ Eigen::VectorXd count_scale(const Eigen::VectorXd& mean);
 
 /// Deviations of what was observed from the seasonal mean, newest step first (SeasonalModel).
 struct Deviations {
-  Eigen::MatrixXd own;   ///< u, N x lags
-  Eigen::VectorXd city;  ///< E, lags
+  Eigen::MatrixXd own;   ///< u, N x seasonal_lags
+  Eigen::VectorXd city;  ///< E, seasonal_lags
 };
 
 /// The two parts of the correction at one lead, in counts: s u_l (N x lags) and m E_l (N x lags).
@@ -58,7 +60,7 @@ struct Regressors {
 };
 Regressors regressors(const Deviations& deviations, const Eigen::VectorXd& mean);
 
-/// Seasonal mean with an autoregressive correction, on one day. The model must outlive it.
+/// Seasonal mean with an autoregressive correction, on one day.
 class SeasonalForecaster : public Forecaster {
  public:
   /// `start` is the minute of the model's day at which this day starts.
@@ -80,8 +82,10 @@ class SeasonalForecaster : public Forecaster {
     Eigen::VectorXd counts;
   };
 
-  const SeasonalModel& model_;
-  const Eigen::MatrixXd& mean_;
+  int step_minutes_;
+  Eigen::MatrixXd mean_;  ///< of the day's kind
+  Eigen::MatrixXd own_;
+  Eigen::MatrixXd city_;
   int start_;
   std::deque<Piece> pieces_;
 };

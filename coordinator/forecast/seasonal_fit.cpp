@@ -8,7 +8,7 @@
 namespace evbal {
 namespace {
 
-constexpr int lags = 3;
+constexpr int lags = seasonal_lags;
 /// Days of its own kind count once, the mean over all days like so many days more.
 constexpr double days_of_pooled_mean = 2.0;
 

@@ -46,7 +46,7 @@ TEST(ShrunkCovariance, KeepsVariancesAndFloorsThem) {
 TEST(BootstrapThresholds, AgreeWithGaussianTheory) {
   // d = 10: N_B g1 is chi-squared with 10 degrees of freedom, whose .75 quantile is 12.549; g2 by simulation (model,
   // section 5).
-  const Eigen::MatrixXd residuals = normals(10, 20000, 5);
+  const Eigen::MatrixXd residuals = normals(10, 4000, 5);
   const Covariance sigma = shrunk_covariance(residuals, 0.1);
   const Thresholds at50 = bootstrap_thresholds(residuals, sigma, {.resample = 50, .replicates = 1000});
   EXPECT_NEAR(at50.g1, 12.549 / 50.0, 0.015);

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "coordinator/ambiguity/residual_law.hpp"
+#include "coordinator/balancing/problem.hpp"
+#include "coordinator/forecast/seasonal.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace evbal {
+
+/// What is known of a series of counts per region: how to forecast it, and how wrong that is.
+struct SeriesModel {
+  SeasonalModel seasonal;
+  ResidualLaw errors;
+};
+
+/// Transitions from `start` (minute after midnight) until the next period.
+struct Period {
+  int start = 0;
+  Transitions transitions;
+};
+
+/// Everything that `evbal fit` estimates of a city (model, sections 2 and 5).
+struct CityModel {
+  std::string city;
+  int day_start = 0;                  ///< minute after midnight at which the seasonal means start
+  int step_minutes = 30;              ///< Delta
+  std::vector<std::string> holidays;  ///< ISO dates on record that are like Sundays, ascending
+  SeriesModel demand;
+  SeriesModel completions;
+  std::vector<Period> periods;  ///< at least one, by start
+  double mean_session_minutes = 0.0;
+
+  int regions() const { return demand.seasonal.regions(); }
+
+  /// Steps that can be forecast at most.
+  int leads() const { return demand.seasonal.leads(); }
+
+  DayKind kind(const std::string& date) const;
+
+  /// Those of the period that holds `minute` after midnight; the first period's before it starts.
+  const Transitions& transitions_at(int minute) const;
+};
+
+/// Reads a file that write_model wrote. Throws Error{bad_input} naming the file and the key that is missing, unknown,
+/// repeated, of the wrong shape or out of range.
+CityModel read_model(const std::filesystem::path& file);
+
+/// Writes JSON that read_model gives back to the last bit. The file appears whole or not at all.
+void write_model(const CityModel& model, const std::filesystem::path& file);
+
+}  // namespace evbal

@@ -1,0 +1,142 @@
+#include "coordinator/planning/coordinator.hpp"
+
+#include "common/error.hpp"
+#include "coordinator/balancing/controllers.hpp"
+#include "coordinator/balancing/make_whole.hpp"
+#include "coordinator/planning/planning_data.hpp"
+
+#include <cassert>
+#include <utility>
+
+namespace evbal {
+namespace {
+
+Balancer engine_balancer(const PlanningSettings& settings) {
+  return [parameters = settings.balancing, engine = settings.engine](const std::string& controller,
+                                                                     const PlanningData& data) {
+    return balance(controller, parameters, data, engine);
+  };
+}
+
+void check_fit(const City& city, const DayClock& clock, const PlanningSettings& settings, const CityModel& model) {
+  const std::string file = model_file(settings, city).string();
+  const auto refuse = [&](const std::string& what) {
+    throw bad_input(file, 0, what + "; fit a model to this city with `evbal fit`");
+  };
+  if (model.regions() != city.size()) {
+    refuse("the model has " + std::to_string(model.regions()) + " regions, the city " + std::to_string(city.size()));
+  }
+  if (model.step_minutes != clock.step) {
+    refuse("the model has steps of " + std::to_string(model.step_minutes) + " min, the clock of " +
+           std::to_string(clock.step) + " min");
+  }
+  if (model.leads() < settings.balancing.tau) {
+    refuse("the model forecasts " + std::to_string(model.leads()) + " steps, balancing.tau is " +
+           std::to_string(settings.balancing.tau));
+  }
+}
+
+/// The reports in the order of their regions.
+std::vector<Report> by_region(int tick, const std::vector<Report>& reports, int regions) {
+  const auto refuse = [&](int region, const std::string& what) {
+    throw run_failed("tick " + std::to_string(tick) + ": the report of region " + std::to_string(region) + " " + what);
+  };
+  std::vector<const Report*> found(static_cast<std::size_t>(regions), nullptr);
+  for (const Report& report : reports) {
+    if (report.region < 0 || report.region >= regions) {
+      refuse(report.region, "is of no region of this city");
+    }
+    if (report.tick != tick) {
+      refuse(report.region, "is of tick " + std::to_string(report.tick));
+    }
+    if (std::exchange(found[static_cast<std::size_t>(report.region)], &report) != nullptr) {
+      refuse(report.region, "came twice");
+    }
+  }
+  std::vector<Report> ordered;
+  ordered.reserve(found.size());
+  for (std::size_t region = 0; region < found.size(); ++region) {
+    if (found[region] == nullptr) {
+      refuse(static_cast<int>(region), "is missing");
+    }
+    ordered.push_back(*found[region]);
+  }
+  return ordered;
+}
+
+Eigen::VectorXd each(const std::vector<Report>& reports, std::int32_t Report::*field) {
+  Eigen::VectorXd out(static_cast<Eigen::Index>(reports.size()));
+  for (const Report& report : reports) {
+    out(report.region) = report.*field;
+  }
+  return out;
+}
+
+void add_moves(std::vector<Move>& moves, Errand errand, const std::vector<Flow>& flows, const Eigen::VectorXd& have) {
+  for (const WholeFlow& flow : make_whole(flows, have.cast<int>())) {
+    moves.push_back({flow.from, flow.to, flow.vehicles, errand});
+  }
+}
+
+}  // namespace
+
+Coordinator::Coordinator(const City& city, const DayClock& clock, const std::string& date, PlanningSettings settings,
+                         CityModel model)
+    : Coordinator(city, clock, date, settings, std::move(model), engine_balancer(settings)) {}
+
+Coordinator::Coordinator(const City& city, const DayClock& clock, const std::string& date, PlanningSettings settings,
+                         CityModel model, Balancer balancer)
+    : clock_(clock),
+      settings_(std::move(settings)),
+      model_(std::move(model)),
+      km_(city.km),
+      minutes_(city.minutes),
+      has_points_((city.points().array() > 0).cast<double>()),
+      ladder_(settings_.controller, std::move(balancer)) {
+  check_fit(city, clock_, settings_, model_);
+  const DayKind kind = model_.kind(date);
+  const int start = clock_.start - model_.day_start;
+  demand_ = std::make_unique<SeasonalForecaster>(model_.demand.seasonal, kind, start);
+  completions_ = std::make_unique<SeasonalForecaster>(model_.completions.seasonal, kind, start);
+}
+
+PlanningData Coordinator::data(int minute, const std::vector<Report>& reports) const {
+  const int tau = horizon_at(clock_, minute, settings_.balancing.tau);
+  PlanningData data;
+  data.km = km_;
+  data.minutes = minutes_;
+  data.state = fleet_state(reports, minute, clock_.step, tau);
+  data.points = points_ahead(reports, tau);
+  data.demand = moment_set(model_.demand.errors, demand_->forecast(minute, tau), demand_->scale(minute, tau));
+  data.completions =
+      moment_set(model_.completions.errors, has_points_.asDiagonal() * completions_->forecast(minute, tau),
+                 has_points_.asDiagonal() * completions_->scale(minute, tau));
+  for (int step = 0; step < tau; ++step) {
+    data.transitions.push_back(model_.transitions_at(clock_.start + minute + step * clock_.step));
+  }
+  data.step_minutes = clock_.step;
+  data.mean_session_minutes = model_.mean_session_minutes;
+  return data;
+}
+
+Plan Coordinator::plan(int tick, const std::vector<Report>& reports) {
+  assert(clock_.plan_due(tick));
+  const std::vector<Report> ordered = by_region(tick, reports, model_.regions());
+  const int minute = clock_.minute_of(tick);
+  demand_->observe(minute, each(ordered, &Report::demand));
+  completions_->observe(minute, each(ordered, &Report::completions));
+  const PlanningData known = data(minute, ordered);
+  Decision decision = ladder_.decide(known);
+
+  Plan plan;
+  plan.tick = tick;
+  add_moves(plan.moves, Errand::rebalance, decision.vacant, known.state.vacant);
+  add_moves(plan.moves, Errand::charge, decision.low_battery, known.state.low_battery);
+  plan.provenance = std::move(decision.provenance);
+  if (plan.provenance.iterations > 0) {
+    plan.provenance.engine = settings_.engine.name;
+  }
+  return plan;
+}
+
+}  // namespace evbal

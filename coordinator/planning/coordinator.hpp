@@ -1,0 +1,48 @@
+#pragma once
+
+#include "agents/city/city.hpp"
+#include "agents/protocol/messages.hpp"
+#include "common/clock.hpp"
+#include "coordinator/forecast/forecaster.hpp"
+#include "coordinator/planning/city_model.hpp"
+#include "coordinator/planning/ladder.hpp"
+#include "coordinator/planning/settings.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace evbal {
+
+/// From reports to a plan, over a horizon that recedes: forecast, uncertainty set, balancing problem, whole vehicles.
+class Coordinator {
+ public:
+  /// `city` with the scenario's overrides, `date` as "2008-06-03", `model` fitted to this city. Throws Error{bad_input}
+  /// if the model does not fit the city, the clock or the horizon.
+  Coordinator(const City& city, const DayClock& clock, const std::string& date, PlanningSettings settings,
+              CityModel model);
+
+  /// The same with another solver, for tests.
+  Coordinator(const City& city, const DayClock& clock, const std::string& date, PlanningSettings settings,
+              CityModel model, Balancer balancer);
+
+  /// The plan of `tick`, which is due; `reports` are those of all regions, in any order. To be called for every tick at
+  /// which a plan is due, in turn: forecasts live on it. The Origin is left to the process that publishes the plan.
+  /// Throws Error{run_failed} if a report is missing, repeated or of another tick.
+  Plan plan(int tick, const std::vector<Report>& reports);
+
+ private:
+  PlanningData data(int minute, const std::vector<Report>& reports) const;
+
+  DayClock clock_;
+  PlanningSettings settings_;
+  CityModel model_;
+  Eigen::MatrixXd km_;
+  Eigen::MatrixXd minutes_;
+  Eigen::VectorXd has_points_;  ///< 1 where the city has points, working or not, else 0
+  std::unique_ptr<Forecaster> demand_;
+  std::unique_ptr<Forecaster> completions_;
+  Ladder ladder_;
+};
+
+}  // namespace evbal

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "common/error.hpp"
+
+#include <Eigen/Core>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace evbal {
+
+/// Parses a JSON file; repeated keys are refused. Throws Error{bad_input}.
+nlohmann::json parse_json(const std::filesystem::path& file);
+
+/// Strict view of a JSON object: what is asked for must be there and fit, and finish() refuses what nobody asked for.
+/// Everything that does not fit throws Error{bad_input} as "file: key: what would be right".
+class JsonObject {
+ public:
+  JsonObject(const nlohmann::json& value, std::string file, std::string place);
+
+  JsonObject object(const std::string& key);
+  std::vector<JsonObject> objects(const std::string& key);
+  std::string text(const std::string& key);
+  std::vector<std::string> texts(const std::string& key);
+  int integer(const std::string& key, int low, int high);
+  double number(const std::string& key, double low, double high);
+  std::vector<double> numbers(const std::string& key, double low, double high);
+
+  /// A list of `rows` lists of `columns` numbers.
+  Eigen::MatrixXd matrix(const std::string& key, Eigen::Index rows, Eigen::Index columns, double low, double high);
+
+  /// The same where only the number of rows is known.
+  Eigen::MatrixXd matrix(const std::string& key, Eigen::Index rows, double low, double high);
+
+  void finish() const;
+  Error error(const std::string& key, const std::string& message) const;
+
+ private:
+  const nlohmann::json& require(const std::string& key);
+  double number_in(const nlohmann::json& value, const std::string& key, double low, double high) const;
+
+  const nlohmann::json* value_;
+  std::string file_;
+  std::string place_;
+  std::set<std::string> known_;
+};
+
+}  // namespace evbal

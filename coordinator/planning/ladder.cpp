@@ -1,0 +1,81 @@
+#include "coordinator/planning/ladder.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace evbal {
+namespace {
+
+const std::string nominal = "nominal";
+
+/// An old plan's flows, cut in proportion where a region has fewer vehicles than they ask for.
+std::vector<Flow> within(std::vector<Flow> flows, const Eigen::VectorXd& available) {
+  Eigen::VectorXd asked = Eigen::VectorXd::Zero(available.size());
+  for (const Flow& flow : flows) {
+    asked(flow.from) += flow.amount;
+  }
+  for (Flow& flow : flows) {
+    flow.amount *= std::min(1.0, available(flow.from) / std::max(asked(flow.from), 1e-9));
+  }
+  return flows;
+}
+
+std::vector<Flow> step_of(const std::vector<std::vector<Flow>>& steps, std::size_t step) {
+  return step < steps.size() ? steps[step] : std::vector<Flow>{};
+}
+
+}  // namespace
+
+Ladder::Ladder(std::string controller, Balancer balancer)
+    : controller_(std::move(controller)), balancer_(std::move(balancer)) {}
+
+Decision Ladder::decide(const PlanningData& data) {
+  BalancingResult first = balancer_(controller_, data);
+  if (first.certificate.optimal) {
+    return solved(std::move(first), FallbackLevel::none, "");
+  }
+  std::string reason = controller_ + ": " + first.certificate.why_not;
+  if (controller_ != nominal) {
+    BalancingResult second = balancer_(nominal, data);
+    if (second.certificate.optimal) {
+      return solved(std::move(second), FallbackLevel::nominal, std::move(reason));
+    }
+    reason += "; " + nominal + ": " + second.certificate.why_not;
+  }
+  return unsolved(data, std::move(reason));
+}
+
+Decision Ladder::solved(BalancingResult result, FallbackLevel level, std::string reason) {
+  failures_in_a_row_ = 0;
+  last_ = std::move(result.dispatch);
+  next_step_ = 1;
+  const Certificate& certificate = result.certificate;
+  return {step_of(last_.vacant, 0),
+          step_of(last_.low_battery, 0),
+          {.controller = controller_,
+           .engine = {},
+           .fallback = level,
+           .reason = std::move(reason),
+           .objective = certificate.objective,
+           .lower_bound = certificate.lower_bound,
+           .gap = certificate.gap,
+           .max_violation = certificate.max_violation,
+           .iterations = certificate.iterations}};
+}
+
+Decision Ladder::unsolved(const PlanningData& data, std::string reason) {
+  ++failures_in_a_row_;
+  const std::size_t step = next_step_++;
+  Decision decision;
+  decision.provenance.controller = controller_;
+  decision.provenance.fallback = FallbackLevel::hold;
+  decision.provenance.reason = reason + "; failures in a row: " + std::to_string(failures_in_a_row_);
+  if (step > 0 && step < std::max(last_.vacant.size(), last_.low_battery.size())) {
+    decision.vacant = within(step_of(last_.vacant, step), data.state.vacant);
+    decision.low_battery = within(step_of(last_.low_battery, step), data.state.low_battery);
+    decision.provenance.fallback = FallbackLevel::shifted;
+  }
+  return decision;
+}
+
+}  // namespace evbal

@@ -1,0 +1,184 @@
+#include "coordinator/planning/city_model.hpp"
+#include "coordinator/planning/json_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <utility>
+
+namespace evbal {
+namespace {
+
+using nlohmann::json;
+
+constexpr int schema = 1;
+constexpr double large = 1e9;
+constexpr std::array<const char*, day_kinds> kind_names{"weekday", "saturday", "sunday"};
+
+using TransitionKey = std::pair<const char*, Eigen::MatrixXd Transitions::*>;
+constexpr std::array<TransitionKey, 5> transition_keys{{
+    {"vacant_to_vacant", &Transitions::vacant_to_vacant},
+    {"vacant_to_occupied", &Transitions::vacant_to_occupied},
+    {"vacant_to_low_battery", &Transitions::vacant_to_low_battery},
+    {"occupied_to_vacant", &Transitions::occupied_to_vacant},
+    {"occupied_to_occupied", &Transitions::occupied_to_occupied},
+}};
+
+json to_json(const Eigen::MatrixXd& matrix) {
+  json rows = json::array();
+  for (const auto& row : matrix.rowwise()) {
+    rows.push_back(std::vector<double>(row.begin(), row.end()));
+  }
+  return rows;
+}
+
+json to_json(const SeriesModel& series) {
+  json mean;
+  for (std::size_t kind = 0; kind < kind_names.size(); ++kind) {
+    mean[kind_names[kind]] = to_json(series.seasonal.mean[kind]);
+  }
+  const Eigen::VectorXd& deviation = series.errors.covariance.deviation;
+  std::vector<double> g1;
+  std::vector<double> g2;
+  for (const Thresholds& thresholds : series.errors.thresholds) {
+    g1.push_back(thresholds.g1);
+    g2.push_back(thresholds.g2);
+  }
+  return {{"mean", mean},
+          {"own", to_json(series.seasonal.own)},
+          {"city", to_json(series.seasonal.city)},
+          {"deviation", std::vector<double>(deviation.begin(), deviation.end())},
+          {"factors", to_json(series.errors.covariance.factors)},
+          {"g1", g1},
+          {"g2", g2}};
+}
+
+json to_json(const Period& period) {
+  json out{{"start", period.start}};
+  for (const auto& [key, matrix] : transition_keys) {
+    out[key] = to_json(period.transitions.*matrix);
+  }
+  return out;
+}
+
+struct Shape {
+  int regions = 0;
+  int steps = 0;
+  int leads = 0;
+  int step_minutes = 0;
+};
+
+SeriesModel read_series(JsonObject in, const Shape& shape) {
+  SeriesModel series;
+  series.seasonal.step_minutes = shape.step_minutes;
+  JsonObject mean = in.object("mean");
+  for (std::size_t kind = 0; kind < kind_names.size(); ++kind) {
+    series.seasonal.mean[kind] = mean.matrix(kind_names[kind], shape.regions, shape.steps, 0.0, large);
+  }
+  mean.finish();
+  series.seasonal.own = in.matrix("own", seasonal_lags, shape.leads, -large, large);
+  series.seasonal.city = in.matrix("city", seasonal_lags, shape.leads, -large, large);
+  const std::vector<double> deviation = in.numbers("deviation", 0.0, large);
+  const Eigen::Index size = static_cast<Eigen::Index>(shape.regions) * shape.leads;
+  if (static_cast<Eigen::Index>(deviation.size()) != size) {
+    throw in.error("deviation", std::to_string(size) + " numbers are expected");
+  }
+  series.errors.covariance.deviation = Eigen::Map<const Eigen::VectorXd>(deviation.data(), size);
+  series.errors.covariance.factors = in.matrix("factors", size, -large, large);
+  const auto g1 = in.numbers("g1", 0.0, large);
+  const auto g2 = in.numbers("g2", 0.0, large);
+  if (g1.size() != static_cast<std::size_t>(shape.leads) || g2.size() != g1.size()) {
+    throw in.error("g1", std::to_string(shape.leads) + " numbers are expected, and as many of g2");
+  }
+  for (std::size_t lead = 0; lead < g1.size(); ++lead) {
+    series.errors.thresholds.push_back({g1[lead], g2[lead]});
+  }
+  in.finish();
+  return series;
+}
+
+void check_rows(const JsonObject& in, const char* key, const Eigen::MatrixXd& sum) {
+  if (!((sum.rowwise().sum().array() - 1.0).abs() < 1e-9).all()) {
+    throw in.error(key, "the rows of one state's transitions do not sum to one");
+  }
+}
+
+Period read_period(JsonObject in, const Shape& shape) {
+  Period period{in.integer("start", 0, 24 * 60), {}};
+  Transitions& t = period.transitions;
+  for (const auto& [key, matrix] : transition_keys) {
+    t.*matrix = in.matrix(key, shape.regions, shape.regions, 0.0, 1.0);
+  }
+  check_rows(in, "vacant_to_vacant", t.vacant_to_vacant + t.vacant_to_occupied + t.vacant_to_low_battery);
+  check_rows(in, "occupied_to_vacant", t.occupied_to_vacant + t.occupied_to_occupied);
+  in.finish();
+  return period;
+}
+
+}  // namespace
+
+CityModel read_model(const std::filesystem::path& file) {
+  const json root = parse_json(file);
+  JsonObject in(root, file.string(), "");
+  in.integer("schema", schema, schema);
+  CityModel model;
+  model.city = in.text("city");
+  model.day_start = in.integer("day_start", 0, 24 * 60);
+  model.step_minutes = in.integer("step_minutes", 1, 24 * 60);
+  model.holidays = in.texts("holidays");
+  std::sort(model.holidays.begin(), model.holidays.end());
+  const Shape shape{in.integer("regions", 1, 10000), in.integer("steps", 1, 24 * 60), in.integer("leads", 1, 48),
+                    model.step_minutes};
+  model.demand = read_series(in.object("demand"), shape);
+  model.completions = read_series(in.object("completions"), shape);
+  for (JsonObject& period : in.objects("periods")) {
+    model.periods.push_back(read_period(period, shape));
+  }
+  const auto later = [](const Period& a, const Period& b) { return a.start >= b.start; };
+  if (model.periods.empty() ||
+      std::adjacent_find(model.periods.begin(), model.periods.end(), later) != model.periods.end()) {
+    throw in.error("periods", "one at least is expected, by ascending start");
+  }
+  model.mean_session_minutes = in.number("mean_session_minutes", 1.0, 24.0 * 60.0);
+  in.finish();
+  return model;
+}
+
+void write_model(const CityModel& model, const std::filesystem::path& file) {
+  std::vector<std::pair<std::string, json>> entries{
+      {"schema", schema},
+      {"city", model.city},
+      {"regions", model.regions()},
+      {"steps", model.demand.seasonal.mean[0].cols()},
+      {"leads", model.leads()},
+      {"day_start", model.day_start},
+      {"step_minutes", model.step_minutes},
+      {"holidays", model.holidays},
+      {"mean_session_minutes", model.mean_session_minutes},
+      {"demand", to_json(model.demand)},
+      {"completions", to_json(model.completions)},
+  };
+  json periods = json::array();
+  for (const Period& period : model.periods) {
+    periods.push_back(to_json(period));
+  }
+  entries.emplace_back("periods", periods);
+
+  const std::filesystem::path unfinished = file.string() + ".unfinished";
+  std::ofstream out(unfinished);
+  const char* opening = "{";
+  for (const auto& [key, value] : entries) {
+    out << std::exchange(opening, ",") << "\n\"" << key << "\": " << value.dump();
+  }
+  out << "\n}\n";
+  out.close();
+  if (!out) {
+    std::error_code ignored;
+    std::filesystem::remove(unfinished, ignored);
+    throw bad_input(file.string(), 0, "cannot be written");
+  }
+  std::filesystem::rename(unfinished, file);
+}
+
+}  // namespace evbal

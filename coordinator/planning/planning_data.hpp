@@ -1,0 +1,24 @@
+#pragma once
+
+#include "agents/protocol/messages.hpp"
+#include "common/clock.hpp"
+#include "coordinator/balancing/problem.hpp"
+#include "coordinator/planning/city_model.hpp"
+
+#include <vector>
+
+namespace evbal {
+
+/// Steps in a horizon that starts at `minute`: at most `tau`, fewer at the day's end, at least 1. The last one may
+/// reach past the end.
+int horizon_at(const DayClock& clock, int minute, int tau);
+
+/// The fleet as the reports (by region, all of them) have it at `minute`. Occupied cars count at their destination,
+/// those that arrive at once included; empty cars under way count in the window of `step` minutes in which they
+/// arrive, and not at all after the horizon.
+FleetState fleet_state(const std::vector<Report>& reports, int minute, int step, int tau);
+
+/// Working points of the reports, held over the horizon, N x tau.
+Eigen::MatrixXd points_ahead(const std::vector<Report>& reports, int tau);
+
+}  // namespace evbal

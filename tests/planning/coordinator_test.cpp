@@ -1,0 +1,137 @@
+#include "coordinator/planning/coordinator.hpp"
+
+#include "common/error.hpp"
+#include "common/random.hpp"
+#include "tests/planning/small_city.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <map>
+
+namespace evbal {
+namespace {
+
+const std::string date = "2008-06-03";
+
+std::vector<Report> quiet_reports(int tick, int vacant) {
+  std::vector<Report> reports(3);
+  for (int i = 0; i < 3; ++i) {
+    reports[static_cast<std::size_t>(i)].tick = tick;
+    reports[static_cast<std::size_t>(i)].region = i;
+    reports[static_cast<std::size_t>(i)].vacant = vacant;
+  }
+  return reports;
+}
+
+/// Keeps the last data it was asked to solve and moves nobody.
+struct Spy {
+  std::shared_ptr<PlanningData> seen = std::make_shared<PlanningData>();
+
+  BalancingResult operator()(const std::string&, const PlanningData& data) const {
+    *seen = data;
+    BalancingResult result;
+    result.certificate.optimal = true;
+    return result;
+  }
+};
+
+void expect_refused(Coordinator& coordinator, int tick, const std::vector<Report>& reports, const std::string& word) {
+  try {
+    coordinator.plan(tick, reports);
+    FAIL() << "was accepted, expected a refusal about " << word;
+  } catch (const Error& error) {
+    EXPECT_EQ(error.status(), ExitStatus::run_failed);
+    EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
+  }
+}
+
+TEST(Coordinator, BuildsTheProblemFromReportsAndModel) {
+  const Spy spy;
+  Coordinator coordinator(testing::small_city(), {}, date, {}, testing::small_model(), spy);
+  coordinator.plan(0, quiet_reports(0, 5));
+  EXPECT_EQ(spy.seen->transitions.size(), 2U);
+  EXPECT_EQ(spy.seen->state.vacant(2), 5.0);
+  EXPECT_EQ(spy.seen->demand.mean.size(), 6);
+  EXPECT_DOUBLE_EQ(spy.seen->demand.mean(0), 4.0);
+  EXPECT_DOUBLE_EQ(spy.seen->completions.mean(1), 1.0);
+  EXPECT_DOUBLE_EQ(spy.seen->completions.mean(2), 0.0) << "no points in the third region";
+  EXPECT_LT(spy.seen->completions.standard_deviation()(2), 0.01);
+  EXPECT_DOUBLE_EQ(spy.seen->demand.g2, 1.2);
+}
+
+TEST(Coordinator, ForecastsFollowWhatIsReported) {
+  const Spy spy;
+  Coordinator coordinator(testing::small_city(), {}, date, {}, testing::small_model(), spy);
+  for (int tick = 0; tick <= 6; tick += 2) {
+    auto reports = quiet_reports(tick, 5);
+    for (Report& report : reports) {
+      report.demand = tick == 0 ? 0 : 4;
+    }
+    coordinator.plan(tick, reports);
+  }
+  // 12 in half an hour against 4: deviation 8 by region, 200 % in the city.
+  EXPECT_NEAR(spy.seen->demand.mean(0), 4.0 + 0.1 * 8.0 + 4.0 * 2.0 / 3.0, 1e-12);
+  EXPECT_NEAR(spy.seen->completions.mean(0), 1.0 - 0.1 - 1.0 / 3.0, 1e-12);
+}
+
+TEST(Coordinator, RefusesReportsThatAreNotThoseOfTheTick) {
+  Coordinator coordinator(testing::small_city(), {}, date, {}, testing::small_model(), Spy{});
+  auto reports = quiet_reports(4, 5);
+  reports.pop_back();
+  expect_refused(coordinator, 4, reports, "region 2 is missing");
+  reports = quiet_reports(4, 5);
+  reports[2].region = 1;
+  expect_refused(coordinator, 4, reports, "region 1 came twice");
+  reports[2].region = 7;
+  expect_refused(coordinator, 4, reports, "region 7");
+  reports = quiet_reports(2, 5);
+  expect_refused(coordinator, 4, reports, "tick 2");
+}
+
+TEST(Coordinator, RefusesAModelThatDoesNotFit) {
+  City four = testing::small_city();
+  four.regions.resize(4);
+  EXPECT_THROW(Coordinator(four, {}, date, {}, testing::small_model(), Spy{}), Error);
+  PlanningSettings far;
+  far.balancing.tau = 3;
+  EXPECT_THROW(Coordinator(testing::small_city(), {}, date, far, testing::small_model(), Spy{}), Error);
+  EXPECT_THROW(Coordinator(testing::small_city(), {.step = 60}, date, {}, testing::small_model(), Spy{}), Error);
+}
+
+RC_GTEST_PROP(CoordinatorProperty, NeverSendsMoreThanARegionHas, (std::uint64_t seed)) {
+  RandomStream random(seed, Purpose::fleet, {});
+  for (const std::string controller : {"none", "greedy", "nominal", "robust"}) {
+    PlanningSettings settings;
+    settings.controller = controller;
+    Coordinator coordinator(testing::small_city(), {}, date, settings, testing::small_model());
+    auto reports = quiet_reports(0, 0);
+    for (Report& report : reports) {
+      report.vacant = static_cast<int>(random.below(20));
+      report.low_battery = static_cast<int>(random.below(5));
+      report.points = static_cast<int>(random.below(3));
+      report.plugged = static_cast<int>(random.below(static_cast<std::uint64_t>(report.points) + 1));
+      report.bound = {{report.region, 7, Errand::passenger, static_cast<int>(random.below(4))}};
+    }
+    const Plan plan = coordinator.plan(0, reports);
+    RC_ASSERT(plan.provenance.fallback == FallbackLevel::none);
+    std::map<std::pair<Errand, int>, int> sent;
+    for (std::size_t m = 0; m < plan.moves.size(); ++m) {
+      const Move& move = plan.moves[m];
+      RC_ASSERT(move.count >= 1 && move.from != move.to);
+      sent[{move.errand, move.from}] += move.count;
+      if (m > 0) {
+        const Move& before = plan.moves[m - 1];
+        RC_ASSERT(std::tie(before.errand, before.from, before.to) < std::tie(move.errand, move.from, move.to));
+      }
+    }
+    for (const Report& report : reports) {
+      const int vacant = sent[{Errand::rebalance, report.region}];
+      const int low_battery = sent[{Errand::charge, report.region}];
+      RC_ASSERT(vacant <= report.vacant && low_battery <= report.low_battery);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace evbal

@@ -1,0 +1,96 @@
+#include "common/error.hpp"
+#include "tests/planning/small_city.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace evbal {
+namespace {
+
+class ModelFile : public ::testing::Test {
+ protected:
+  void SetUp() override { std::filesystem::create_directories(folder_); }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::string written(const CityModel& model) const {
+    write_model(model, file_);
+    std::ifstream in(file_);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+  }
+
+  void expect_refused(const std::string& text, const std::string& word) const {
+    std::ofstream(file_) << text;
+    try {
+      read_model(file_);
+      FAIL() << "was accepted, expected a refusal about " << word;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.status(), ExitStatus::bad_input);
+      EXPECT_NE(std::string(error.what()).find(file_.string()), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
+    }
+  }
+
+  std::filesystem::path folder_ =
+      std::filesystem::path(::testing::TempDir()) /
+      ("evbal-model-" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+  std::filesystem::path file_ = folder_ / "model.json";
+};
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  const auto at = text.find(what);
+  EXPECT_NE(at, std::string::npos) << what;
+  return at == std::string::npos ? text : text.replace(at, what.size(), by);
+}
+
+TEST_F(ModelFile, GivesBackEveryBit) {
+  CityModel model = testing::small_model();
+  model.demand.seasonal.mean[1](2, 7) = 0.1 + 0.2;
+  model.completions.errors.covariance.factors = Eigen::MatrixXd(6, 0);
+  const std::string text = written(model);
+  const CityModel back = read_model(file_);
+  EXPECT_EQ(back.demand.seasonal.mean, model.demand.seasonal.mean);
+  EXPECT_EQ(back.demand.seasonal.own, model.demand.seasonal.own);
+  EXPECT_EQ(back.demand.errors.covariance.deviation, model.demand.errors.covariance.deviation);
+  EXPECT_EQ(back.completions.errors.covariance.factors.cols(), 0);
+  EXPECT_EQ(back.periods[1].start, 16 * 60);
+  EXPECT_EQ(back.periods[0].transitions.vacant_to_occupied, model.periods[0].transitions.vacant_to_occupied);
+  EXPECT_EQ(written(back), text);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1) << "nothing half-written stays";
+}
+
+TEST_F(ModelFile, RefusesWhatDoesNotFit) {
+  const std::string good = written(testing::small_model());
+  expect_refused(good.substr(0, good.size() / 2), "JSON");
+  expect_refused(replaced(good, "\"schema\"", "\"city\": \"x\", \"schema\""), "twice");
+  expect_refused(replaced(good, "\"schema\": 1", "\"schema\": 2"), "schema");
+  expect_refused(replaced(good, "\"mean_session_minutes\"", "\"mean_session\""), "mean_session_minutes");
+  expect_refused(replaced(good, "\"holidays\"", "\"extra\": 1, \"holidays\""), "extra");
+  expect_refused(replaced(good, "\"regions\": 3", "\"regions\": 4"), "4 lists");
+  expect_refused(replaced(good, "\"leads\": 2", "\"leads\": 3"), "own");
+  expect_refused(replaced(good, "4.0", "-4.0"), "mean.");
+  expect_refused(replaced(good, "4.0", "\"4\""), "number");
+  expect_refused(replaced(good, "\"vacant_to_vacant\":[[0.5", "\"vacant_to_vacant\":[[0.4"), "sum to one");
+  expect_refused("[]", "object");
+}
+
+TEST_F(ModelFile, RefusesWhatIsNotThere) {
+  EXPECT_THROW(read_model(folder_ / "none.json"), Error);
+  EXPECT_THROW(write_model(testing::small_model(), folder_ / "none" / "model.json"), Error);
+}
+
+TEST(CityModel, KnowsHolidaysAndPeriods) {
+  CityModel model = testing::small_model();
+  EXPECT_EQ(model.kind("2008-05-26"), DayKind::sunday);
+  EXPECT_EQ(model.kind("2008-05-27"), DayKind::weekday);
+  EXPECT_EQ(&model.transitions_at(15 * 60 + 59), &model.periods[0].transitions);
+  EXPECT_EQ(&model.transitions_at(16 * 60), &model.periods[1].transitions);
+  EXPECT_EQ(&model.transitions_at(0), &model.periods[0].transitions);
+}
+
+}  // namespace
+}  // namespace evbal

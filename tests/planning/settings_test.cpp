@@ -1,0 +1,55 @@
+#include "coordinator/planning/settings.hpp"
+
+#include <gtest/gtest.h>
+
+namespace evbal {
+namespace {
+
+PlanningSettings settings_of(const std::string& text) {
+  YamlMap map(YamlValue::parse(text, "/runs/a.yaml"));
+  PlanningSettings settings = read_planning(map);
+  map.finish();
+  return settings;
+}
+
+TEST(Planning, ReadsWhatItIsGiven) {
+  const PlanningSettings settings =
+      settings_of("controller: nominal\niterations: 50\nmodel: sub/m.json\nbalancing: {a: 0.5, tau: 3}\n");
+  EXPECT_EQ(settings.controller, "nominal");
+  EXPECT_EQ(settings.engine.max_iterations, 50);
+  EXPECT_EQ(settings.model, "/runs/sub/m.json");
+  EXPECT_EQ(settings.balancing.a, 0.5);
+  EXPECT_EQ(settings.balancing.tau, 3);
+  EXPECT_EQ(settings.balancing.beta, BalancingParameters{}.beta);
+}
+
+TEST(Planning, GivesItselfBackAsYaml) {
+  PlanningSettings settings;
+  settings.controller = "greedy";
+  settings.engine.max_iterations = 77;
+  settings.model = "/a \"b\"/model.json";
+  settings.balancing = {0.11, 1.0 / 3.0, 2.0, 0.9, 8.0, 7.0, 6.0, 5.0, 0.4, 9.0, 3.0, 4, 5};
+  const std::string text = planning_yaml(settings);
+  const PlanningSettings back = settings_of(text);
+  EXPECT_EQ(back.model, settings.model);
+  EXPECT_EQ(back.balancing.theta_0, settings.balancing.theta_0);
+  EXPECT_EQ(planning_yaml(back), text);
+  EXPECT_EQ(planning_yaml(settings_of(planning_yaml({}))), planning_yaml({}));
+}
+
+TEST(Planning, RefusesWhatIsWrong) {
+  for (const char* wrong : {"controller: robsut\n", "engine: magic\n", "iterations: 0\n", "balancing: {tau: 0}\n",
+                            "balancing: {eta: 1.5}\n", "balancing: {thta: 1}\n", "balancing: 3\n"}) {
+    EXPECT_THROW(settings_of(wrong), Error) << wrong;
+  }
+}
+
+TEST(Planning, FindsTheCitysOwnModel) {
+  City city;
+  city.folder = "/cities/x";
+  EXPECT_EQ(model_file(settings_of("model: pack\n"), city), "/cities/x/model.json");
+  EXPECT_EQ(model_file({}, city), "/cities/x/model.json");
+}
+
+}  // namespace
+}  // namespace evbal
