@@ -1,11 +1,11 @@
 #include "experiments/record/compare.hpp"
 
 #include "experiments/record/compare_days.hpp"
+#include "experiments/record/text.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include <fstream>
-#include <sstream>
+#include <algorithm>
 #include <vector>
 
 namespace evbal {
@@ -14,22 +14,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 using Difference = std::optional<std::string>;
-
-std::vector<std::string> split(const std::string& line, char separator) {
-  std::vector<std::string> parts;
-  std::istringstream in(line);
-  for (std::string part; std::getline(in, part, separator);) {
-    parts.push_back(part);
-  }
-  return parts;
-}
-
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
 
 std::string cell(const std::vector<std::string>& cells, std::size_t column) {
   return column < cells.size() ? "`" + cells[column] + "`" : "missing";
@@ -51,8 +35,8 @@ std::string place_of(const std::vector<std::string>& names, const std::vector<st
 }
 
 Difference compare_csv(const fs::path& recorded, const fs::path& replayed, const DayClock& clock) {
-  const std::string was = text_of(recorded);
-  const std::string is = text_of(replayed);
+  const std::string was = read_text(recorded);
+  const std::string is = read_text(replayed);
   if (was == is) {
     return std::nullopt;
   }
@@ -89,8 +73,8 @@ void forget_circumstances(Json& summary) {
 }
 
 Difference compare_summaries(const fs::path& recorded, const fs::path& replayed) {
-  Json was = Json::parse(text_of(recorded), nullptr, false);
-  Json is = Json::parse(text_of(replayed), nullptr, false);
+  Json was = Json::parse(read_text(recorded), nullptr, false);
+  Json is = Json::parse(read_text(replayed), nullptr, false);
   if (was.is_discarded() || !was.is_object()) {
     return "summary.json: cannot be read as JSON";
   }

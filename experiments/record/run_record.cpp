@@ -5,10 +5,11 @@
 #include "experiments/record/csv.hpp"
 #include "experiments/record/row.hpp"
 #include "experiments/record/summary.hpp"
+#include "experiments/record/text.hpp"
 
 #include <cassert>
-#include <fstream>
 #include <set>
+#include <iterator>
 #include <system_error>
 
 namespace evbal {
@@ -27,15 +28,6 @@ bool prepare(const fs::path& folder) {
     throw bad_input(folder.string() + ": cannot be made (" + error.message() + "); give another one with --out");
   }
   return created;
-}
-
-void write_file(const fs::path& file, const std::string& text) {
-  std::ofstream out(file, std::ios::binary | std::ios::trunc);
-  out << text;
-  out.close();
-  if (!out) {
-    throw run_failed(file.string() + ": cannot be written");
-  }
 }
 
 void add_to(Digest& digest, const TickRecord& record) {
@@ -76,7 +68,7 @@ RunRecord::RunRecord(fs::path folder, RunHeader header)
       file_(folder_ / "run.sqlite", header_.region_names, header_.frame.points, header_.faults),
       start_(Clock::now()),
       last_(start_) {
-  write_file(folder_ / "scenario.resolved.yaml", header_.resolved);
+  write_text(folder_ / "scenario.resolved.yaml", header_.resolved);
   mark_incomplete();
 }
 
@@ -86,11 +78,15 @@ RunRecord::~RunRecord() {
     return;
   }
   if (ticks_.empty()) {
-    for (const char* name : {"run.sqlite", "run.sqlite-journal", "scenario.resolved.yaml", "INCOMPLETE"}) {
+    for (const char* name : {"run.sqlite", "run.sqlite-journal", "scenario.resolved.yaml"}) {
       fs::remove(folder_ / name, ignored);
     }
-    if (created_folder_) {
-      fs::remove(folder_, ignored);
+    // What the processes of the run printed stays, and so does the mark.
+    if (std::distance(fs::directory_iterator(folder_), {}) == 1) {
+      fs::remove(folder_ / "INCOMPLETE", ignored);
+      if (created_folder_) {
+        fs::remove(folder_, ignored);
+      }
     }
     return;
   }
@@ -105,7 +101,7 @@ RunRecord::~RunRecord() {
 void RunRecord::mark_incomplete() const {
   const DayClock& clock = header_.frame.clock;
   const int done = static_cast<int>(ticks_.size());
-  write_file(folder_ / "INCOMPLETE", "recorded " + std::to_string(done) + " of " + std::to_string(clock.ticks()) +
+  write_text(folder_ / "INCOMPLETE", "recorded " + std::to_string(done) + " of " + std::to_string(clock.ticks()) +
                                          " ticks, until " + time_of_day(clock, clock.minute_of(done)) + "\n");
 }
 
@@ -151,9 +147,9 @@ RunResult RunRecord::finish() {
   const DayMetrics day = measure(header_.frame, ticks_);
   const std::string digest = digest_.hex();
   const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-  write_file(folder_ / "steps.csv", steps_csv(clock, day));
-  write_file(folder_ / "regions.csv", regions_csv(clock, day));
-  write_file(folder_ / "summary.json", summary_json(header_, day, digest, ticks_, tick_seconds_, seconds));
+  write_text(folder_ / "steps.csv", steps_csv(clock, day));
+  write_text(folder_ / "regions.csv", regions_csv(clock, day));
+  write_text(folder_ / "summary.json", summary_json(header_, day, digest, ticks_, tick_seconds_, seconds));
   fs::remove(folder_ / "INCOMPLETE");
   finished_ = true;
   return {folder_, header_.controller, digest, day.totals, count_fallbacks(ticks_), seconds};

@@ -44,7 +44,7 @@ struct RunResult {
 ///     summary.json             what it came to (summary.hpp)
 ///     INCOMPLETE               until finish(): how far the run came
 ///
-/// If nothing was recorded when the object dies, what it created is removed again.
+/// If no tick was recorded when the object dies, what it created is removed again.
 class RunRecord {
  public:
   /// Creates the directory. Throws Error{bad_input} if it is there and not empty, or cannot be made.

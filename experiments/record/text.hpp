@@ -1,17 +1,29 @@
 #pragma once
 
 #include <charconv>
+#include <filesystem>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 namespace evbal {
 
 /// The shortest decimal that reads back as the same number.
 template <class Number>
-requires std::is_arithmetic_v<Number> std::string shortest(Number value) {
+requires std::is_arithmetic_v<Number>
+std::string shortest(Number value) {
   char text[32];
   const auto end = std::to_chars(text, text + sizeof text, value).ptr;
   return {text, end};
 }
+
+/// The parts of a line between separators.
+std::vector<std::string> split(const std::string& line, char separator);
+
+/// A whole file, empty if it cannot be read.
+std::string read_text(const std::filesystem::path& file);
+
+/// Throws Error{run_failed} if the file cannot be written.
+void write_text(const std::filesystem::path& file, const std::string& text);
 
 }  // namespace evbal

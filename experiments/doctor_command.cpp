@@ -1,0 +1,132 @@
+#include "experiments/doctor_command.hpp"
+
+#include "common/error.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <thread>
+
+#include <arpa/inet.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+namespace evbal {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Lines of a diagnosis, and how many of them name trouble.
+class Diagnosis {
+ public:
+  void fact(const std::string& what) { std::printf("      %s\n", what.c_str()); }
+
+  void check(bool well, const std::string& what, const std::string& remedy) {
+    std::printf("%s  %s%s\n", well ? "  ok" : "LACK", what.c_str(), well ? "" : (": " + remedy).c_str());
+    troubles_ += well ? 0 : 1;
+  }
+
+  int troubles() const { return troubles_; }
+
+ private:
+  int troubles_ = 0;
+};
+
+/// Does a datagram come back over 127.0.0.1?
+bool loopback_works() {
+  const int receiver = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  const int sender = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t size = sizeof address;
+  const timeval patience{.tv_sec = 1, .tv_usec = 0};
+  setsockopt(receiver, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+  auto* generic = reinterpret_cast<sockaddr*>(&address);
+  char byte = 'x';
+  const bool works = bind(receiver, generic, size) == 0 && getsockname(receiver, generic, &size) == 0 &&
+                     sendto(sender, &byte, 1, 0, generic, size) == 1 && recv(receiver, &byte, 1, 0) == 1;
+  close(receiver);
+  close(sender);
+  return works;
+}
+
+/// The shared libraries of this program, as the files that they really are: their names end in the version.
+std::set<std::string> libraries() {
+  std::set<std::string> names;
+  std::ifstream maps("/proc/self/maps");
+  for (std::string line; std::getline(maps, line);) {
+    const auto at = line.find('/');
+    for (const char* part : {"fastrtps", "fastcdr", "ipopt", "dmumps_seq", "openblas", "liblapack", "mrpt-math", "sqlite3"}) {
+      if (at != std::string::npos && line.find(part, at) != std::string::npos) {
+        names.insert(fs::path(line.substr(at)).filename().string());
+      }
+    }
+  }
+  return names;
+}
+
+/// Processes of a run whose launcher is gone: they were to end with it.
+std::vector<std::string> orphans() {
+  std::vector<std::string> found;
+  for (const auto& entry : fs::directory_iterator("/proc", fs::directory_options::skip_permission_denied)) {
+    std::ifstream status(entry.path() / "stat");
+    std::string id;
+    std::string name;
+    std::string state;
+    std::string parent;
+    // The kernel cuts names to 15 letters: "(evbal-coordinat".
+    if (status >> id >> name >> state >> parent && name.starts_with("(evbal-") && parent == "1") {
+      found.push_back(name.substr(1, name.size() - 2) + " (process " + id + ")");
+    }
+  }
+  return found;
+}
+
+/// Shared memory that the bus never uses here; other programs of Fast DDS may.
+int shared_memory_files() {
+  std::error_code error;
+  int count = 0;
+  for (const auto& entry : fs::directory_iterator("/dev/shm", error)) {
+    count += entry.path().filename().string().find("fastrtps") != std::string::npos ? 1 : 0;
+  }
+  return count;
+}
+
+void examine() {
+  Diagnosis diagnosis;
+  const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
+  for (const char* program : {"evbal-agent", "evbal-coordinator", "evbal-faults"}) {
+    diagnosis.check(access((folder / program).c_str(), X_OK) == 0, program,
+                    "not beside evbal in " + folder.string() + "; build it");
+  }
+  diagnosis.check(loopback_works(), "UDP over 127.0.0.1", "no datagram came back; bring the loopback interface up");
+  const auto left = orphans();
+  std::string names;
+  for (const auto& name : left) {
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  diagnosis.check(left.empty(), "no processes of earlier runs", "end " + names);
+  const int files = shared_memory_files();
+  diagnosis.check(files == 0, "no shared memory of Fast DDS",
+                  std::to_string(files) + " files in /dev/shm; evbal makes none, remove them if no other program does");
+  diagnosis.fact(std::to_string(std::thread::hardware_concurrency()) + " processors");
+  for (const auto& name : libraries()) {
+    diagnosis.fact(name);
+  }
+  if (diagnosis.troubles() > 0) {
+    throw run_failed(std::to_string(diagnosis.troubles()) + " things to mend");
+  }
+}
+
+}  // namespace
+
+void add_doctor_command(CLI::App& app) {
+  app.add_subcommand("doctor", "Say what this machine lacks and what earlier runs left over")->callback(examine);
+}
+
+}  // namespace evbal

@@ -1,0 +1,67 @@
+#include "experiments/progress.hpp"
+
+#include <cstdio>
+#include <set>
+
+#include <unistd.h>
+
+namespace evbal {
+namespace {
+
+std::string time_left(double seconds) {
+  const int whole = static_cast<int>(seconds + 0.5);
+  return whole < 60 ? std::to_string(whole) + " s"
+                    : std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
+}
+
+}  // namespace
+
+Progress::Progress(std::string title, DayClock clock, std::vector<std::string> fault_names, bool quiet)
+    : title_(std::move(title)),
+      clock_(clock),
+      fault_names_(std::move(fault_names)),
+      quiet_(quiet),
+      terminal_(isatty(STDERR_FILENO) == 1),
+      start_(std::chrono::steady_clock::now()) {}
+
+Progress::~Progress() {
+  if (line_open_) {
+    std::fputs("\n", stderr);
+  }
+}
+
+std::string Progress::line(const TickRecord& record) const {
+  const int ticks_done = record.tick.tick + 1;
+  const int minute = clock_.minute_of(ticks_done);
+  const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  std::set<int> active;
+  for (const auto& effect : record.faults.effects) {
+    active.insert(effect.fault);
+  }
+  std::string text = title_ + "  step " + std::to_string(clock_.step_of(clock_.minute_of(record.tick.tick)) + 1) + "/" +
+                     std::to_string(clock_.steps()) + "  " + time_of_day(clock_, minute) + "  served " +
+                     std::to_string(served_) + "  lost " + std::to_string(lost_);
+  for (const int fault : active) {
+    text += "  [" + fault_names_.at(static_cast<std::size_t>(fault)) + "]";
+  }
+  return text + "  " + time_left(spent / ticks_done * (clock_.ticks() - ticks_done)) + " left";
+}
+
+void Progress::show(const TickRecord& record) {
+  for (const auto& said : record.exchange.departures) {
+    for (const auto& fate : said.fates) {
+      ++(fate.served ? served_ : lost_);
+    }
+  }
+  if (quiet_) {
+    return;
+  }
+  if (terminal_) {
+    std::fprintf(stderr, "\r\033[K%s", line(record).c_str());
+    line_open_ = true;
+  } else if ((clock_.start + clock_.minute_of(record.tick.tick + 1)) % 60 == 0) {
+    std::fprintf(stderr, "%s\n", line(record).c_str());
+  }
+}
+
+}  // namespace evbal

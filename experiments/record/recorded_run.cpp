@@ -1,0 +1,90 @@
+#include "experiments/record/recorded_run.hpp"
+
+#include "common/error.hpp"
+#include "experiments/record/text.hpp"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <nlohmann/json.hpp>
+
+#include <charconv>
+#include <fstream>
+#include <sstream>
+
+namespace evbal {
+namespace {
+
+namespace fs = std::filesystem;
+
+void read_summary(const fs::path& file, RecordedRun& run) {
+  const auto json = nlohmann::json::parse(read_text(file));
+  const auto& solver = json.at("solver");
+  run.scenario = json.at("scenario");
+  run.date = json.at("date");
+  run.seed = json.at("seed");
+  run.controller = json.at("controller");
+  run.transport = json.at("transport");
+  run.digest = json.at("digest");
+  run.day_start = json.at("day_start");
+  run.step_minutes = json.at("step_minutes");
+  run.regions = json.at("regions");
+  run.fleet = json.at("fleet");
+  run.solves = solver.at("solves");
+  run.fallbacks = solver.at("fallbacks");
+  run.solve_seconds_median = solver.at("seconds_median");
+  run.wall_seconds = json.at("wall_seconds");
+  run.totals = json.at("totals").get<std::map<std::string, double>>();
+}
+
+void read_steps(const fs::path& file, RecordedRun& run) {
+  std::istringstream lines(read_text(file));
+  std::string line;
+  std::getline(lines, line);
+  const auto names = split(line, ',');
+  for (int number = 2; std::getline(lines, line); ++number) {
+    const auto cells = split(line, ',');
+    if (cells.size() != names.size()) {
+      throw bad_input(file.string(), number, "has not as many columns as the header");
+    }
+    for (std::size_t i = 1; i < cells.size(); ++i) {
+      double value = 0.0;
+      const auto end = cells[i].data() + cells[i].size();
+      if (std::from_chars(cells[i].data(), end, value).ptr != end) {
+        throw bad_input(file.string(), number, "`" + cells[i] + "` is no number");
+      }
+      run.steps[names[i]].push_back(value);
+    }
+  }
+}
+
+void read_faults(const fs::path& file, RecordedRun& run) {
+  const SQLite::Database database(file.string());
+  SQLite::Statement query(database, "SELECT name, type, start, end FROM faults ORDER BY fault");
+  while (query.executeStep()) {
+    run.faults.push_back({.name = query.getColumn(0).getString(),
+                          .type = query.getColumn(1).getString(),
+                          .start = query.getColumn(2).getInt(),
+                          .end = query.getColumn(3).getInt()});
+  }
+}
+
+}  // namespace
+
+RecordedRun read_run(const fs::path& folder) {
+  if (fs::exists(folder / "INCOMPLETE") || !fs::exists(folder / "summary.json")) {
+    throw bad_input(folder.string() + ": holds no finished run; give a directory that `evbal run` wrote to its end");
+  }
+  RecordedRun run;
+  run.folder = folder;
+  try {
+    read_summary(folder / "summary.json", run);
+    read_steps(folder / "steps.csv", run);
+    read_faults(folder / "run.sqlite", run);
+  } catch (const nlohmann::json::exception& error) {
+    throw bad_input((folder / "summary.json").string() + ": " + error.what());
+  } catch (const SQLite::Exception& error) {
+    throw bad_input((folder / "run.sqlite").string() + ": " + error.what());
+  }
+  return run;
+}
+
+}  // namespace evbal

@@ -1,0 +1,60 @@
+#include "experiments/report_command.hpp"
+
+#include "common/error.hpp"
+#include "experiments/record/recorded_run.hpp"
+#include "experiments/record/text.hpp"
+#include "tools/report/report.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+namespace evbal {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A run directory itself, or those in a directory of several.
+std::vector<fs::path> runs_in(const fs::path& folder) {
+  std::vector<fs::path> found;
+  if (fs::is_directory(folder) && !fs::exists(folder / "run.sqlite")) {
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      if (fs::exists(entry.path() / "summary.json")) {
+        found.push_back(entry.path());
+      }
+    }
+    std::sort(found.begin(), found.end());
+  }
+  return found.empty() ? std::vector<fs::path>{folder} : found;
+}
+
+void report(const std::vector<std::string>& folders, const std::string& out) {
+  std::vector<RecordedRun> runs;
+  for (const auto& given : folders) {
+    for (const auto& folder : runs_in(given)) {
+      runs.push_back(read_run(folder));
+    }
+  }
+  const fs::path page = !out.empty() ? fs::path(out) : (folders.size() == 1 ? fs::path(folders[0]) : ".") / "report.html";
+  write_text(page, report_page(runs));
+  std::printf("%s\n", page.c_str());
+}
+
+}  // namespace
+
+void add_report_command(CLI::App& app) {
+  struct Arguments {
+    std::vector<std::string> folders;
+    std::string out;
+  };
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("report", "Write one HTML page on finished runs");
+  command->add_option("DIR", arguments->folders, "Run directories, or directories of them")->required();
+  command->add_option("--out", arguments->out, "The page; otherwise report.html in DIR, or here if there are several");
+  command->callback([arguments] { report(arguments->folders, arguments->out); });
+}
+
+}  // namespace evbal
