@@ -3,6 +3,9 @@
 #include "common/error.hpp"
 
 #include <CLI/CLI.hpp>
+#include <arpa/inet.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <cstring>
@@ -10,10 +13,6 @@
 #include <fstream>
 #include <set>
 #include <thread>
-
-#include <arpa/inet.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
 namespace evbal {
 namespace {
@@ -61,7 +60,8 @@ std::set<std::string> libraries() {
   std::ifstream maps("/proc/self/maps");
   for (std::string line; std::getline(maps, line);) {
     const auto at = line.find('/');
-    for (const char* part : {"fastrtps", "fastcdr", "ipopt", "dmumps_seq", "openblas", "liblapack", "mrpt-math", "sqlite3"}) {
+    for (const char* part :
+         {"fastrtps", "fastcdr", "ipopt", "dmumps_seq", "openblas", "liblapack", "mrpt-math", "sqlite3"}) {
       if (at != std::string::npos && line.find(part, at) != std::string::npos) {
         names.insert(fs::path(line.substr(at)).filename().string());
       }
@@ -79,8 +79,8 @@ std::vector<std::string> orphans() {
     std::string name;
     std::string state;
     std::string parent;
-    // The kernel cuts names to 15 letters: "(evbal-coordinat".
-    if (status >> id >> name >> state >> parent && name.starts_with("(evbal-") && parent == "1") {
+    const std::set<std::string> ours = {"(evbal-agent)", "(evbal-coordinat)", "(evbal-faults)"};  // cut by the kernel
+    if (status >> id >> name >> state >> parent && ours.contains(name) && parent == "1") {
       found.push_back(name.substr(1, name.size() - 2) + " (process " + id + ")");
     }
   }

@@ -1,9 +1,9 @@
 #include "experiments/progress.hpp"
 
+#include <unistd.h>
+
 #include <cstdio>
 #include <set>
-
-#include <unistd.h>
 
 namespace evbal {
 namespace {

@@ -8,8 +8,8 @@
 #include "experiments/record/text.hpp"
 
 #include <cassert>
-#include <set>
 #include <iterator>
+#include <set>
 #include <system_error>
 
 namespace evbal {

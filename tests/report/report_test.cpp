@@ -1,0 +1,62 @@
+#include "tools/report/report.hpp"
+
+#include "common/error.hpp"
+
+#include <gtest/gtest.h>
+
+namespace evbal {
+namespace {
+
+RecordedRun small_run(const std::string& controller) {
+  RecordedRun run;
+  run.folder = "runs/" + controller;
+  run.scenario = "small </script>";
+  run.date = "2008-06-03";
+  run.controller = controller;
+  run.day_start = "05:00";
+  run.step_minutes = 30;
+  run.totals = {{"idle_km", 12.5}};
+  run.steps = {{"step", {0, 1}}, {"idle_km", {5.25, 7.25}}};
+  run.faults = {{.name = "spike", .type = "demand.scale", .start = 30, .end = 60}};
+  return run;
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+    ++found;
+  }
+  return found;
+}
+
+TEST(Report, HoldsTheRunsAndEveryFaultOnce) {
+  const std::string page = report_page({small_run("nominal"), small_run("robust")});
+  EXPECT_NE(page.find("\"idle_km\":[5.25,7.25]"), std::string::npos);
+  EXPECT_NE(page.find("\"label\":\"robust\""), std::string::npos);
+  EXPECT_EQ(count(page, "\"name\":\"spike\""), 1);
+}
+
+TEST(Report, TellsRunsOfOneControllerApart) {
+  auto other = small_run("robust");
+  other.folder = "runs/robust-2";
+  const std::string page = report_page({small_run("robust"), other});
+  EXPECT_NE(page.find("\"label\":\"robust (robust-2)\""), std::string::npos);
+}
+
+TEST(Report, NeedsNothingButItself) {
+  const std::string page = report_page({small_run("robust")});
+  EXPECT_NE(page.find("Chart.js v"), std::string::npos);
+  for (const char* outside : {" src=", "<link", "@import", "fetch("}) {
+    EXPECT_EQ(page.find(outside), std::string::npos) << outside;
+  }
+  EXPECT_EQ(count(page, "</script>"), 3);  // no data can end a script
+}
+
+TEST(Report, RefusesRunsOfDifferentClocks) {
+  auto other = small_run("robust");
+  other.step_minutes = 15;
+  EXPECT_THROW(report_page({small_run("nominal"), other}), Error);
+}
+
+}  // namespace
+}  // namespace evbal
