@@ -58,7 +58,9 @@ const windows = {
     const {ctx, chartArea: area, scales: {x}} = chart;
     ctx.save();
     ctx.font = "12px system-ui, 'DejaVu Sans', sans-serif";
-    report.faults.forEach((fault, i) => {
+    let labelsEnd = -Infinity;
+    let row = 0;
+    for (const fault of report.faults) {
       const from = Math.max(area.left, x.getPixelForValue(dayStart + fault.start));
       const to = Math.min(area.right, x.getPixelForValue(dayStart + fault.end));
       ctx.fillStyle = css("--window");
@@ -66,8 +68,10 @@ const windows = {
       ctx.fillStyle = css("--soft");
       const width = ctx.measureText(fault.name).width;
       const left = Math.max(area.left + 2, Math.min((from + to - width) / 2, area.right - width - 2));
-      ctx.fillText(fault.name, left, area.top - 7 - 14 * (i % 2));
-    });
+      row = left < labelsEnd + 8 ? 1 - row : 0;
+      labelsEnd = left + width;
+      ctx.fillText(fault.name, left, area.top - 7 - 14 * row);
+    }
     ctx.restore();
   },
 };
@@ -90,7 +94,7 @@ function options(figure) {
     },
     plugins: {
       legend: {display: report.runs.length > 1, position: "bottom",
-               labels: {...text, color: css("--ink"), usePointStyle: true, pointStyleWidth: 40, padding: 14}},
+               labels: {...text, color: css("--ink"), boxWidth: 36, boxHeight: 0, padding: 14}},
       tooltip: {callbacks: {
         title: items => { const hour = hours()[items[0].dataIndex]; return clock(hour.from) + " – " + clock(hour.to); },
         label: item => " " + item.dataset.label + ": " + number(item.parsed.y, item.parsed.y < 100 ? 1 : 0),
@@ -127,14 +131,14 @@ const rows = [
   {name: "Unfairness of utilisation", digits: 1, better: -1, value: run => run.totals.unfairness_charging},
   {name: "Served passengers", digits: 0, better: 1, value: run => run.totals.served},
   {name: "Lost passengers", digits: 0, better: -1, value: run => run.totals.lost},
-  {name: "Lost, of all", unit: "%", digits: 1, better: -1, value: run => 100 * run.totals.unserved_ratio},
-  {name: "Lost, worst tenth of regions", unit: "%", digits: 1, better: -1, value: run => 100 * run.totals.p90_regional_loss},
+  {name: "Lost share of passengers", unit: "%", digits: 1, better: -1, value: run => 100 * run.totals.unserved_ratio},
+  {name: "Lost share, worst tenth of regions", unit: "%", digits: 1, better: -1, value: run => 100 * run.totals.p90_regional_loss},
   {name: "Passenger's wait", unit: "min", digits: 1, better: -1, value: run => run.totals.passenger_wait_min},
   {name: "Charger wait per session", unit: "min", digits: 1, better: -1, value: run => run.totals.charger_wait_min_per_session},
   {name: "Idle distance per served passenger", unit: "km", digits: 2, better: -1, value: run => run.totals.idle_km_per_served},
   {name: "Stranded cars", digits: 0, better: -1, value: run => run.totals.stranded},
   {name: "Energy charged", unit: "kWh", digits: 0, better: 0, value: run => run.totals.charged_kwh},
-  {name: "Plans that fell back, of all", digits: 0, better: 0, value: run => run.fallbacks},
+  {name: "Plans that fell back", digits: 0, better: 0, value: run => run.fallbacks},
   {name: "Solver time per plan, median", unit: "s", digits: 2, better: 0, value: run => run.solve_seconds_median},
 ];
 
