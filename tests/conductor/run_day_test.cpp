@@ -3,6 +3,7 @@
 #include "agents/protocol/fingerprint.hpp"
 #include "agents/region/region_plant.hpp"
 #include "experiments/conductor/inproc_players.hpp"
+#include "experiments/conductor/roads.hpp"
 #include "tests/support/worlds.hpp"
 
 #include <gtest/gtest.h>
@@ -157,6 +158,56 @@ RC_GTEST_PROP(RunDay, CountsEveryVehicleInReports, ()) {
     }
     RC_ASSERT(record.exchange.reports.empty() || vehicles == world.city.fleet.vehicles);
   }
+}
+
+// Whoever observes a day can follow every vehicle: the plants' census, and that of roads of one's own.
+RC_GTEST_PROP(RunDay, ShowsEveryVehicleInOnePlace, ()) {
+  const World world = *small_worlds();
+  const auto faults = *faults_for(world);
+  InprocPlayers players(
+      world, [](int tick, const std::vector<Report>& reports) { return test::wander(7, tick, reports); },
+      [&](int tick) { return faults[tick]; });
+  Roads roads(draw_fleet(world));
+  run_day(world, players, [&](const TickRecord& record) {
+    const int ends = world.clock.minute_of(record.tick.tick + 1);
+    roads.hand_out(ends);
+    std::multiset<int> seen;
+    for (const auto& departures : record.exchange.departures) {
+      roads.take(departures, ends);
+    }
+    for (const auto& place : roads.census()) {
+      seen.insert(place.vehicle);
+    }
+    for (const auto& plant : players.plants()) {
+      for (const auto& place : plant.census()) {
+        seen.insert(place.vehicle);
+      }
+    }
+    RC_ASSERT(static_cast<int>(seen.size()) == world.city.fleet.vehicles);
+    for (int id = 0; id < world.city.fleet.vehicles; ++id) {
+      RC_ASSERT(seen.count(id) == 1U);
+    }
+  });
+}
+
+// Cars that were in the queue and are not there any more were its first ones, unless a plan took them; here none does.
+RC_GTEST_PROP(RunDay, PlugsInFirstComeFirstServed, ()) {
+  const World world = *small_worlds();
+  InprocPlayers players(
+      world, [](int tick, const auto&) { return hold(tick); }, no_faults);
+  std::vector<std::vector<Vehicle>> before(world.city.size());
+  run_day(world, players, [&](const TickRecord&) {
+    for (const auto& plant : players.plants()) {
+      std::vector<Vehicle>& queue = before[plant.region()];
+      const auto& now = plant.state().queue;
+      const auto still = [&](const Vehicle& car) {
+        return std::any_of(now.begin(), now.end(),
+                           [&](const Vehicle& other) { return other.id == car.id && other.sessions == car.sessions; });
+      };
+      RC_ASSERT(std::is_partitioned(queue.begin(), queue.end(), [&](const Vehicle& car) { return !still(car); }));
+      queue.assign(now.begin(), now.end());
+    }
+  });
 }
 
 RC_GTEST_PROP(RunDay, SaysTheSameTwice, ()) {
