@@ -1,5 +1,7 @@
 #include "coordinator/planning/json_reader.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 #include <fstream>
 #include <sstream>

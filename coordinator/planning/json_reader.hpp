@@ -3,7 +3,7 @@
 #include "common/error.hpp"
 
 #include <Eigen/Core>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <filesystem>
 #include <set>

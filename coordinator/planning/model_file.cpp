@@ -1,6 +1,8 @@
 #include "coordinator/planning/city_model.hpp"
 #include "coordinator/planning/json_reader.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
