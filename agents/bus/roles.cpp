@@ -1,9 +1,10 @@
 #include "agents/bus/roles.hpp"
 
+#include "agents/protocol/origin.hpp"
+
 #include <unistd.h>
 
 #include <algorithm>
-#include <ctime>
 #include <map>
 #include <optional>
 
@@ -15,30 +16,16 @@ using namespace std::chrono_literals;
 constexpr auto nap = 1000ms;  // between looks at the clock while nothing comes
 constexpr auto glance = 2ms;  // between looks at who is connected
 
-/// CPU time of this thread since construction.
-class CpuTime {
- public:
-  double seconds() const { return now() - start_; }
-
- private:
-  static double now() {
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-  }
-  double start_ = now();
-};
-
+/// What each region says, in turn, with its origin.
 template <class Message>
-void sign(Message& message, double seconds) {
-  message.origin = {.process_id = getpid(), .seconds = seconds};
-}
-
-template <class Message>
-void sign(std::vector<Message>& messages, double seconds) {
-  for (auto& message : messages) {
-    sign(message, seconds / static_cast<double>(messages.size()));
+std::vector<Message> ask(const std::vector<HostedRegion>& regions,
+                         const std::function<Message(const HostedRegion&)>& question) {
+  std::vector<Message> answers;
+  answers.reserve(regions.size());
+  for (const auto& region : regions) {
+    answers.push_back(with_origin([&] { return question(region); }));
   }
+  return answers;
 }
 
 template <class Connected>
@@ -87,6 +74,7 @@ std::vector<Report> reports_of(Participant& participant, Reader<std::vector<Repo
     }
   }
   std::vector<Report> reports;
+  reports.reserve(found.size());
   for (auto& [region, report] : found) {
     reports.push_back(std::move(report));
   }
@@ -95,7 +83,7 @@ std::vector<Report> reports_of(Participant& participant, Reader<std::vector<Repo
 
 }  // namespace
 
-void serve_agent(Participant& participant, const std::string& name, const HostedRegions& regions) {
+void serve_agent(Participant& participant, const std::string& name, const std::vector<HostedRegion>& regions) {
   Reader<Tick> ticks(participant);
   Reader<Plan> plans(participant);
   Writer<std::vector<Report>> report_writer(participant);
@@ -108,19 +96,16 @@ void serve_agent(Participant& participant, const std::string& name, const Hosted
   for (int last = -1;;) {
     const Tick tick = next_tick(participant, ticks, last);
     last = tick.tick;
+    for (const auto& region : regions) {
+      region.begin(tick);
+    }
     std::optional<Plan> plan;
-    CpuTime before;
-    regions.begin(tick);
     if (tick.plan_due) {
-      auto reports = regions.report();
-      sign(reports, before.seconds());
-      report_writer.write(reports);
+      report_writer.write(ask<Report>(regions, [](const auto& region) { return region.report(); }));
       plan = plan_of(participant, plans, tick.tick);
     }
-    const CpuTime living;
-    auto departures = regions.live(plan ? &*plan : nullptr);
-    sign(departures, living.seconds());
-    departure_writer.write(departures);
+    departure_writer.write(
+        ask<Departures>(regions, [&](const auto& region) { return region.live(plan ? &*plan : nullptr); }));
   }
 }
 
@@ -135,10 +120,7 @@ void serve_coordinator(Participant& participant, const std::string& name,
     last = tick.tick;
     if (tick.plan_due) {
       const auto due = reports_of(participant, reports, tick);
-      const CpuTime planning;
-      Plan plan = make_plan(tick.tick, due);
-      sign(plan, planning.seconds());
-      plans.write(plan);
+      plans.write(with_origin([&] { return make_plan(tick.tick, due); }));
     }
   }
 }
@@ -149,10 +131,7 @@ void serve_injector(Participant& participant, const std::string& name,
   Writer<Faults> writer(participant);
   say_hello(participant, name, [&] { return ticks.writers() > 0 && writer.readers() > 0; });
   for (int tick = -1;; tick = next_tick(participant, ticks, tick).tick) {
-    const CpuTime resolving;
-    Faults faults = faults_of(tick + 1);
-    sign(faults, resolving.seconds());
-    writer.write(faults);
+    writer.write(with_origin([&] { return faults_of(tick + 1); }));
   }
 }
 

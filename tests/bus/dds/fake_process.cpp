@@ -8,22 +8,15 @@ namespace {
 
 using namespace evbal;
 
-void be_agent(const ProcessOptions& options, Participant& participant) {
+[[noreturn]] void be_agent(const ProcessOptions& options, Participant& participant) {
   Tick now;
-  const auto of_each_region = [&](auto answer) {
-    std::vector<decltype(answer(0))> answers;
-    for (int region = options.first_region; region <= options.last_region; ++region) {
-      answers.push_back(answer(region));
-    }
-    return answers;
-  };
-  serve_agent(participant, options.name,
-              {.begin = [&](const Tick& tick) { now = tick; },
-               .report = [&] { return of_each_region([&](int region) { return fake::report(now.tick, region); }); },
-               .live =
-                   [&](const Plan* plan) {
-                     return of_each_region([&](int region) { return fake::departures(now, plan, region); });
-                   }});
+  std::vector<HostedRegion> regions;
+  for (int region = options.first_region; region <= options.last_region; ++region) {
+    regions.push_back({.begin = [&now](const Tick& tick) { now = tick; },
+                       .report = [&now, region] { return fake::report(now.tick, region); },
+                       .live = [&now, region](const Plan* plan) { return fake::departures(now, plan, region); }});
+  }
+  serve_agent(participant, options.name, regions);
 }
 
 }  // namespace

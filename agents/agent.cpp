@@ -1,0 +1,30 @@
+// evbal-agent: hosts one or more regions of a run.
+
+#include "agents/bus/process.hpp"
+#include "agents/bus/roles.hpp"
+#include "agents/region/region_plant.hpp"
+#include "agents/region/world.hpp"
+
+namespace {
+
+using namespace evbal;
+
+void host(const ProcessOptions& options, Participant& participant) {
+  YamlMap scenario(YamlValue::load(options.scenario));
+  const World world = read_world(scenario);
+  std::deque<RegionPlant> plants;
+  std::vector<HostedRegion> regions;
+  for (int region = options.first_region; region <= options.last_region; ++region) {
+    RegionPlant& plant = plants.emplace_back(make_plant(world, region));
+    regions.push_back({.begin = [&plant](const Tick& tick) { plant.begin(tick); },
+                       .report = [&plant] { return plant.report(); },
+                       .live = [&plant](const Plan* plan) { return plant.live(plan); }});
+  }
+  serve_agent(participant, options.name, regions);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return evbal::run_process(argc, argv, "Hosts regions of a run; started by evbal run", host);
+}

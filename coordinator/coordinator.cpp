@@ -1,0 +1,27 @@
+// evbal-coordinator: makes the plans of a run.
+
+#include "coordinator/planning/coordinator.hpp"
+
+#include "agents/bus/process.hpp"
+#include "agents/bus/roles.hpp"
+#include "agents/region/world.hpp"
+
+namespace {
+
+using namespace evbal;
+
+void plan(const ProcessOptions& options, Participant& participant) {
+  YamlMap scenario(YamlValue::load(options.scenario));
+  const World world = read_world(scenario);
+  const PlanningSettings settings = read_planning(scenario);
+  Coordinator coordinator(world.city, world.clock, world.day.date, settings,
+                          read_model(model_file(settings, world.city)));
+  serve_coordinator(participant, options.name,
+                    [&](int tick, const std::vector<Report>& reports) { return coordinator.plan(tick, reports); });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return evbal::run_process(argc, argv, "Makes the plans of a run; started by evbal run", plan);
+}

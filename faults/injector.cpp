@@ -1,0 +1,24 @@
+// evbal-faults: says what goes wrong, tick by tick.
+
+#include "agents/bus/process.hpp"
+#include "agents/bus/roles.hpp"
+#include "agents/region/world.hpp"
+#include "faults/schedule/schedule.hpp"
+
+namespace {
+
+using namespace evbal;
+
+void inject(const ProcessOptions& options, Participant& participant) {
+  YamlMap scenario(YamlValue::load(options.scenario));
+  const World world = read_world(scenario);
+  const Eigen::VectorXi points = world.city.points();
+  const Schedule schedule = read_resolved(scenario, {world.clock, {points.begin(), points.end()}});
+  serve_injector(participant, options.name, [&](int tick) { return faults_at(schedule, world.clock, tick); });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return evbal::run_process(argc, argv, "Says what goes wrong in a run; started by evbal run", inject);
+}
