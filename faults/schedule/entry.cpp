@@ -6,7 +6,7 @@ namespace evbal {
 
 std::string read_name(YamlMap& map) {
   const auto value = map.require("name");
-  const std::string name = value.text();
+  std::string name = value.text();
   const bool plain =
       name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_.") == std::string::npos;
   if (name.empty() || !plain) {

@@ -3,6 +3,7 @@
 #include "common/clock.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -19,12 +20,12 @@ struct LawWords {
   bool for_times;     ///< makes sense for a time of day
 };
 
-constexpr LawWords laws[] = {
+constexpr std::array<LawWords, 4> laws{{
     {Law::uniform, "uniform", nullptr, nullptr, false, true},
     {Law::normal, "normal", "mean", "sd", false, true},
     {Law::lognormal, "lognormal", "median", "sigma", true, false},
     {Law::exponential, "exponential", "mean", nullptr, false, false},
-};
+}};
 
 double amount(const YamlValue& value, Unit unit) {
   switch (unit) {

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cassert>
+#include <fstream>
+
 namespace evbal {
 namespace {
 
@@ -215,6 +218,31 @@ TEST(Schedule, RefusesAResolvedListThatWasAltered) {
        }) {
     expect_refused(refusal);
   }
+}
+
+/// The indented block under a heading of docs/faults.md.
+std::string example_under(const std::string& heading) {
+  std::ifstream page(std::string(EVBAL_SOURCE_DIR) + "/docs/faults.md");
+  std::string line;
+  while (std::getline(page, line) && line != heading) {
+  }
+  std::string block;
+  while (std::getline(page, line) && !line.starts_with("## ")) {
+    block += line.starts_with("    ") ? line.substr(4) + "\n" : "";
+  }
+  return block;
+}
+
+TEST(Schedule, TakesTheExamplesOfItsPage) {
+  const Place place{DayClock{}, std::vector<int>(13, 6)};
+  YamlMap request(YamlValue::parse(example_under("## An example"), "faults.md"));
+  const auto drawn = read_schedule(request, place);
+  EXPECT_EQ(drawn.faults.at(0).name, "evening-spike");
+  EXPECT_EQ(drawn.faults.at(1).name, "hub-outage-1");
+  EXPECT_TRUE(request.find("expect"));
+  EXPECT_NO_THROW(request.finish());
+  YamlMap resolved(YamlValue::parse(example_under("## Drawn, and run again"), "faults.md"));
+  EXPECT_EQ(read_resolved(resolved, place).faults.at(0).magnitudes, (std::vector<double>{4, 6}));
 }
 
 TEST(Schedule, InjectorTakesAResolvedListOnly) {
