@@ -43,7 +43,8 @@ const std::vector<Room>& rooms() {
       {"faults", {"common", "agents/protocol", "agents/city", "agents/region", "agents/bus", "faults/schedule"}},
 
       {"experiments/scenario",
-       {"common", "agents/protocol", "agents/city", "agents/region", "coordinator/planning", "faults/schedule"}},
+       {"common", "agents/protocol", "agents/city", "agents/region", "coordinator/balancing", "coordinator/planning",
+        "faults/schedule"}},
       {"experiments/conductor",
        {"common", "agents/protocol", "agents/city", "agents/region", "agents/bus", "coordinator/planning",
         "faults/schedule", "experiments/scenario"}},

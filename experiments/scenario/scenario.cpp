@@ -1,0 +1,154 @@
+#include "experiments/scenario/scenario.hpp"
+
+#include "coordinator/balancing/controllers.hpp"
+#include "coordinator/balancing/engine.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+namespace evbal {
+namespace {
+
+const std::vector<std::string> transports = {"dds", "inproc"};
+
+std::vector<std::string> read_controllers(YamlMap& map, const std::string& single) {
+  const auto list = map.find("controllers");
+  if (!list) {
+    return {single};
+  }
+  if (map.find("controller")) {
+    throw list->error("`controller` and `controllers` are both given; keep one");
+  }
+  std::vector<std::string> controllers;
+  for (const auto& item : list->items()) {
+    controllers.push_back(controller_names()[item.one_of(controller_names())]);
+    if (std::count(controllers.begin(), controllers.end(), item.text()) > 1) {
+      throw item.error("controller `" + item.text() + "` is given twice");
+    }
+  }
+  if (controllers.empty()) {
+    throw list->error("names no controller; give at least one");
+  }
+  return controllers;
+}
+
+/// The schedule of an own file in place of the scenario's.
+void read_fault_file(const std::filesystem::path& file, const Place& place, Scenario& scenario) {
+  YamlMap map(YamlValue::load(file));
+  scenario.schedule = read_schedule(map, place);
+  if (const auto expect = map.find("expect")) {
+    const auto more = read_expect(*expect);
+    scenario.expect.insert(scenario.expect.end(), more.begin(), more.end());
+  }
+  map.finish();
+}
+
+void read_faults(YamlMap& scenario_map, const std::optional<std::filesystem::path>& file, Scenario& scenario) {
+  const Eigen::VectorXi points = scenario.world.city.points();
+  const Place place{scenario.world.clock, {points.begin(), points.end()}};
+  const auto own = scenario_map.find("faults");
+  if (file) {
+    read_fault_file(*file, place, scenario);
+  } else if (own) {
+    YamlMap map(*own);
+    scenario.schedule = read_schedule(map, place);
+    map.finish();
+  }
+}
+
+/// A word of the command line that must be one of `words`.
+std::string known_word(const std::string& option, const std::string& word, const std::vector<std::string>& words) {
+  if (std::find(words.begin(), words.end(), word) != words.end()) {
+    return word;
+  }
+  std::string all;
+  for (const auto& known : words) {
+    all += (all.empty() ? "`" : ", `") + known + "`";
+  }
+  throw bad_input(option + ": `" + word + "` is not known" + did_you_mean(word, words) + "; choose one of " + all);
+}
+
+void apply(const Overrides& overrides, Scenario& scenario) {
+  if (overrides.controller) {
+    scenario.controllers = {known_word("--controller", *overrides.controller, controller_names())};
+  }
+  if (overrides.engine) {
+    scenario.planning.engine.name = known_word("--engine", *overrides.engine, engine_names());
+  }
+  if (overrides.transport) {
+    scenario.transport = known_word("--transport", *overrides.transport, transports);
+  }
+  if (overrides.day) {
+    const std::string day = known_word("--day", *overrides.day, scenario.world.city.days);
+    scenario.world.day = read_demand(scenario.world.city, day);
+  }
+  if (overrides.regions_per_process) {
+    if (*overrides.regions_per_process < 1) {
+      throw bad_input("--regions-per-process: must be at least 1");
+    }
+    scenario.regions_per_process = *overrides.regions_per_process;
+  }
+  scenario.world.seed = overrides.seed.value_or(scenario.world.seed);
+}
+
+/// As a YAML text in double quotes.
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    result += (c == '"' || c == '\\' ? "\\" : "") + std::string(1, c);
+  }
+  return result + "\"";
+}
+
+std::string indented(const std::string& text) {
+  std::istringstream lines(text);
+  std::string result;
+  for (std::string line; std::getline(lines, line);) {
+    result += "  " + line + "\n";
+  }
+  return result;
+}
+
+}  // namespace
+
+Scenario read_scenario(const std::filesystem::path& file, const Overrides& overrides) {
+  YamlMap map(YamlValue::load(file));
+  map.require("schema").integer(1, 1);
+  Scenario scenario;
+  const auto name = map.find("name");
+  scenario.name = name ? name->text() : file.stem().string();
+  scenario.world = read_world(map);
+  scenario.planning = read_planning(map);
+  scenario.controllers = read_controllers(map, scenario.planning.controller);
+  const auto transport = map.find("transport");
+  scenario.transport = transport ? transports[transport->one_of(transports)] : transports.front();
+  if (const auto given = map.find("regions_per_process")) {
+    scenario.regions_per_process = given->integer(1, 1'000'000);
+  }
+  if (const auto expect = map.find("expect")) {
+    scenario.expect = read_expect(*expect);
+  }
+  read_faults(map, overrides.faults, scenario);
+  map.finish();
+  apply(overrides, scenario);
+  scenario.planning.controller = scenario.controllers.front();
+  return scenario;
+}
+
+std::string resolved_yaml(const Scenario& scenario, const std::string& controller) {
+  PlanningSettings planning = scenario.planning;
+  planning.controller = controller;
+  std::string yaml = "schema: 1\nname: " + quoted(scenario.name) + "\n";
+  yaml += world_yaml(scenario.world);
+  yaml += planning_yaml(planning);
+  yaml += "transport: " + scenario.transport + "\n";
+  yaml += "regions_per_process: " + std::to_string(scenario.regions_per_process) + "\n";
+  yaml += "faults:\n" + indented(schedule_yaml(scenario.schedule, scenario.world.clock));
+  yaml += scenario.expect.empty() ? "expect: []\n" : "expect:\n";
+  for (const auto& expect : scenario.expect) {
+    yaml += "  - " + expect_yaml(expect) + "\n";
+  }
+  return yaml;
+}
+
+}  // namespace evbal

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "agents/region/world.hpp"
+#include "coordinator/planning/settings.hpp"
+#include "experiments/scenario/expect.hpp"
+#include "faults/schedule/schedule.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What is run (docs/scenarios.md): one YAML file, read once by the launcher and handed to every process as resolved.
+namespace evbal {
+
+/// A scenario as read: nothing is left to chance or to defaults.
+struct Scenario {
+  std::string name;
+  World world;
+  PlanningSettings planning;             ///< its controller is the first of `controllers`
+  std::vector<std::string> controllers;  ///< each makes a run of its own; at least one
+  Schedule schedule;
+  std::string transport;        ///< "dds" or "inproc"
+  int regions_per_process = 1;  ///< regions that one evbal-agent hosts
+  std::vector<Expect> expect;
+};
+
+/// What the command line says in place of the scenario.
+struct Overrides {
+  std::optional<std::string> controller{};
+  std::optional<std::string> day{};
+  std::optional<std::uint64_t> seed{};
+  std::optional<std::filesystem::path> faults{};  ///< a schedule file; its `expect` adds to the scenario's
+  std::optional<std::string> transport{};
+  std::optional<int> regions_per_process{};
+  std::optional<std::string> engine{};
+};
+
+/// Reads a scenario, resolved or not. Throws Error{bad_input} with file, line, reason and what would be right; for an
+/// override the option stands in place of the file.
+Scenario read_scenario(const std::filesystem::path& file, const Overrides& overrides = {});
+
+/// The run of one controller with everything explicit, as YAML: read_scenario gives it back, and the processes read
+/// their own keys from it by read_world, read_planning and read_resolved.
+std::string resolved_yaml(const Scenario& scenario, const std::string& controller);
+
+}  // namespace evbal

@@ -1,0 +1,202 @@
+#include "experiments/scenario/scenario.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+
+namespace evbal {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path shipped = fs::path(EVBAL_SOURCE_DIR) / "experiments/scenarios";
+
+/// A folder of its own for the files of one test.
+class ScenarioFile : public ::testing::Test {
+ protected:
+  ScenarioFile() {
+    std::string pattern = (fs::temp_directory_path() / "evbal-scenario-XXXXXX").string();
+    folder_ = ::mkdtemp(pattern.data());
+  }
+  ~ScenarioFile() override { fs::remove_all(folder_); }
+
+  fs::path write(const std::string& text, const std::string& name = "a.yaml") const {
+    std::ofstream(folder_ / name) << text;
+    return folder_ / name;
+  }
+
+  /// `place` is the file's name and line, or an option.
+  void expect_refused(const std::function<void()>& reads, const std::string& place, const std::string& hint) const {
+    try {
+      reads();
+      FAIL() << "was accepted, expected a refusal at " << place << " with " << hint;
+    } catch (const Error& error) {
+      const std::string what = error.what();
+      EXPECT_EQ(error.status(), ExitStatus::bad_input);
+      EXPECT_NE(what.find(place + ": "), std::string::npos) << what;
+      EXPECT_NE(what.find(hint), std::string::npos) << what;
+    }
+  }
+
+ private:
+  fs::path folder_;
+};
+
+const std::string head = "schema: 1\ncity: toy-5\nday: 2024-01-11\nseed: 1\n";
+
+TEST_F(ScenarioFile, NeedsNoMoreThanAWorld) {
+  const Scenario scenario = read_scenario(write(head));
+  EXPECT_EQ(scenario.name, "a");
+  EXPECT_EQ(scenario.world.city.size(), 5);
+  EXPECT_EQ(scenario.world.seed, 1U);
+  EXPECT_EQ(scenario.controllers, (std::vector<std::string>{"robust"}));
+  EXPECT_EQ(scenario.transport, "dds");
+  EXPECT_EQ(scenario.regions_per_process, 1);
+  EXPECT_TRUE(scenario.schedule.faults.empty());
+  EXPECT_TRUE(scenario.expect.empty());
+}
+
+TEST_F(ScenarioFile, RefusesWhatIsWrong) {
+  struct Case {
+    std::string more;
+    int line;
+    std::string hint;
+  };
+  for (const auto& wrong : std::vector<Case>{
+           {"transprot: dds\n", 5, "did you mean `transport`"},
+           {"transport: udp\n", 5, "choose one of `dds`, `inproc`"},
+           {"regions_per_process: 0\n", 5, "from 1"},
+           {"controller: robst\n", 5, "did you mean `robust`"},
+           {"controllers: [nominal, robst]\n", 5, "did you mean `robust`"},
+           {"controllers: [nominal, nominal]\n", 5, "given twice"},
+           {"controllers: []\n", 5, "at least one"},
+           {"controllers: [nominal]\ncontroller: robust\n", 5, "keep one"},
+           {"engine: clp\n", 5, "`ipopt`"},
+           {"clock: {tick: 7min}\n", 5, "tick must divide"},
+           {"clock:\n  tick: 5\n", 6, "such as 30min"},
+           {"faults: {schema: 1, faults: [], expect: []}\n", 5, "unknown key `expect`"},
+           {"faults:\n  schema: 1\n  faults:\n    - {name: a, type: demand.scale, target: {regions: [5]}, "
+            "start: \"08:00\", duration: 1h, magnitude: 2}\n",
+            8, "from 0 to 4"},
+           {"faults:\n  schema: 1\n  faults:\n    - {name: a, type: demand.scale, target: {regions: [4]}, "
+            "start: \"04:00\", duration: 1h, magnitude: 2}\n",
+            8, "from 05:00"},
+           {"expect: [{metric: losst, at_most: 1}]\n", 5, "did you mean `lost`"},
+           {"expect: [{metric: lost}]\n", 5, "either `at_most` or `at_least`"},
+           {"expect: [{metric: lost, at_most: 1, at_least: 0}]\n", 5, "either `at_most` or `at_least`"},
+           {"expect: {metric: lost}\n", 5, "expected a list"},
+       }) {
+    const fs::path file = write(head + wrong.more);
+    expect_refused([&] { read_scenario(file); }, "a.yaml:" + std::to_string(wrong.line), wrong.hint);
+  }
+  expect_refused([&] { read_scenario(write("city: toy-5\n")); }, "a.yaml:1", "`schema` is missing");
+  expect_refused([&] { read_scenario(write("schema: 2\n")); }, "a.yaml:1", "from 1 to 1");
+  expect_refused([&] { read_scenario("/no/such.yaml"); }, "/no/such.yaml", "cannot be read");
+}
+
+TEST_F(ScenarioFile, CommandLineTakesThePlaceOfTheFile) {
+  const fs::path file = write(head + "controllers: [nominal, robust]\nexpect: [{metric: served, at_least: 10}]\n");
+  const fs::path faults = write(
+      "schema: 1\nfaults: [{name: a, type: demand.scale, target: {regions: [4]}, start: \"06:00\", duration: 1h, "
+      "magnitude: 2}]\nexpect: [{metric: lost, at_most: 900}]\n",
+      "faults.yaml");
+  const Scenario scenario = read_scenario(file, {.controller = "greedy",
+                                                 .day = "2024-01-12",
+                                                 .seed = 9,
+                                                 .faults = faults,
+                                                 .transport = "inproc",
+                                                 .regions_per_process = 3,
+                                                 .engine = "ipopt"});
+  EXPECT_EQ(scenario.controllers, (std::vector<std::string>{"greedy"}));
+  EXPECT_EQ(scenario.planning.controller, "greedy");
+  EXPECT_EQ(scenario.world.day.date, "2024-01-12");
+  EXPECT_EQ(scenario.world.seed, 9U);
+  EXPECT_EQ(scenario.schedule.faults.at(0).name, "a");
+  EXPECT_EQ(scenario.transport, "inproc");
+  EXPECT_EQ(scenario.regions_per_process, 3);
+  EXPECT_EQ(scenario.expect, (std::vector<Expect>{{"served", false, 10.0}, {"lost", true, 900.0}}));
+}
+
+TEST_F(ScenarioFile, RefusesAWrongCommandLine) {
+  const fs::path file = write(head);
+  expect_refused([&] { read_scenario(file, {.controller = "robst"}); }, "--controller", "did you mean `robust`");
+  expect_refused([&] { read_scenario(file, {.day = "2024-01-13"}); }, "--day", "2024-01-12");
+  expect_refused([&] { read_scenario(file, {.transport = "tcp"}); }, "--transport", "`dds`, `inproc`");
+  expect_refused([&] { read_scenario(file, {.regions_per_process = 0}); }, "--regions-per-process", "at least 1");
+  expect_refused([&] { read_scenario(file, {.engine = "clp"}); }, "--engine", "`ipopt`");
+  const fs::path faults = write("schema: 1\nfaults: []\nfautls: []\n", "faults.yaml");
+  expect_refused([&] { read_scenario(file, {.faults = faults}); }, "faults.yaml:3", "unknown key `fautls`");
+}
+
+/// What resolved_yaml gives reads back as the same text.
+void expect_resolved_stands(const Scenario& scenario, const fs::path& file) {
+  for (const auto& controller : scenario.controllers) {
+    const std::string resolved = resolved_yaml(scenario, controller);
+    std::ofstream(file) << resolved;
+    const Scenario again = read_scenario(file);
+    EXPECT_EQ(resolved_yaml(again, controller), resolved);
+    EXPECT_EQ(again.controllers, (std::vector<std::string>{controller}));
+    EXPECT_EQ(again.schedule, scenario.schedule);
+    EXPECT_EQ(again.expect, scenario.expect);
+    EXPECT_EQ(again.name, scenario.name);
+    EXPECT_EQ(again.world.day.date, scenario.world.day.date);
+    EXPECT_EQ(again.transport, scenario.transport);
+  }
+}
+
+TEST_F(ScenarioFile, ResolvedScenarioReadsBackUnchanged) {
+  const fs::path file = write("", "scenario.resolved.yaml");
+  expect_resolved_stands(
+      read_scenario(write(head + "name: \"a \\\"quoted\\\" name\"\ntransport: inproc\nregions_per_process: 2\n"
+                                 "expect: [{metric: unserved_ratio, at_most: 0.15}, {metric: served, at_least: 1}]\n")),
+      file);
+  for (const auto& entry : fs::directory_iterator(shipped)) {
+    expect_resolved_stands(read_scenario(entry.path()), file);
+  }
+}
+
+TEST_F(ScenarioFile, ProcessesReadTheirOwnKeysOfAResolvedScenario) {
+  const Scenario scenario = read_scenario(shipped / "toy.yaml");
+  YamlMap map(YamlValue::load(write(resolved_yaml(scenario, "nominal"))));
+  const World world = read_world(map);
+  EXPECT_EQ(world.seed, scenario.world.seed);
+  EXPECT_EQ(read_planning(map).controller, "nominal");
+  const Eigen::VectorXi points = world.city.points();
+  EXPECT_EQ(read_resolved(map, {world.clock, {points.begin(), points.end()}}), scenario.schedule);
+}
+
+TEST(Scenario, ShippedOnesHoldASpikeInTheEveningAndAnOutageInTheMorning) {
+  for (const auto& entry : fs::directory_iterator(shipped)) {
+    const Scenario scenario = read_scenario(entry.path());
+    EXPECT_EQ(scenario.controllers, (std::vector<std::string>{"nominal", "robust"}));
+    ASSERT_EQ(scenario.schedule.faults.size(), 2U);
+    const Fault& outage = scenario.schedule.faults[0];
+    const Fault& spike = scenario.schedule.faults[1];
+    EXPECT_EQ(outage.type, EffectType::charger_outage);
+    EXPECT_EQ(time_of_day(scenario.world.clock, outage.start), "07:30");
+    EXPECT_EQ(outage.on_start, OnStart::evict);
+    EXPECT_EQ(spike.type, EffectType::demand_scale);
+    EXPECT_EQ(time_of_day(scenario.world.clock, spike.start), "17:30");
+    EXPECT_GT(spike.magnitudes[0], 1.3);
+    // Once drawn, faults do not follow the world's seed: every seed of a comparison meets the same.
+    EXPECT_EQ(read_scenario(entry.path(), {.seed = 77}).schedule, scenario.schedule);
+  }
+}
+
+RC_GTEST_PROP(Expect, HoldsUpToItsBound, (double bound, double beyond)) {
+  RC_PRE(beyond > 0.0);
+  const Expect at_most{"lost", true, bound};
+  const Expect at_least{"served", false, bound};
+  RC_ASSERT(at_most.holds(bound) && at_least.holds(bound));
+  RC_ASSERT(at_most.holds(bound - beyond) && at_least.holds(bound + beyond));
+  RC_ASSERT(bound + beyond == bound || !at_most.holds(bound + beyond));
+  RC_ASSERT(bound - beyond == bound || !at_least.holds(bound - beyond));
+}
+
+}  // namespace
+}  // namespace evbal
