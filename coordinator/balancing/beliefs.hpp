@@ -20,12 +20,12 @@ struct Switches {
 
 /// Forecasts as the balancing problem uses them; matrices are N x tau.
 struct Beliefs {
-  Eigen::MatrixXd r_hat;         ///< expected demand, >= 0
-  Eigen::MatrixXd r_hi;          ///< demand in the shortage
-  Eigen::MatrixXd r_lo;          ///< demand in the surplus
-  Eigen::MatrixXd c_hat;         ///< completions in J_E: within [0, P Delta / mean session]
-  Eigen::MatrixXd c_low;         ///< completions that releases count on, >= 0
-  double supply_radius = 0.0;    ///< sqrt(g) in front of J_E's norm; 0: no norm
+  Eigen::MatrixXd r_hat;       ///< expected demand, >= 0
+  Eigen::MatrixXd r_hi;        ///< demand in the shortage
+  Eigen::MatrixXd r_lo;        ///< demand in the surplus
+  Eigen::MatrixXd c_hat;       ///< completions in J_E: within [0, P Delta / mean session]
+  Eigen::MatrixXd c_low;       ///< completions that releases count on, >= 0
+  double supply_radius = 0.0;  ///< sqrt(g) in front of J_E's norm; 0: no norm
 };
 
 /// Reads the switches (model, section 3): with  g = min(g1, g2)  the worst mean of one entry is  mean +- sqrt(g) sigma.

@@ -77,8 +77,8 @@ class Formulator {
   }
 
   // S_i = V_i + sum_j x_ji - sum_j x_ij,    sum_j x_ij <= V_i,    cost: price sum w x.     Likewise Y, L, y.
-  Variables send(const std::string& name, const std::string& after_name, int k, const std::vector<Arc>& arcs, const Expressions& stock, double price,
-                 std::vector<std::vector<ArcFlow>>& flows) {
+  Variables send(const std::string& name, const std::string& after_name, int k, const std::vector<Arc>& arcs,
+                 const Expressions& stock, double price, std::vector<std::vector<ArcFlow>>& flows) {
     const Variables after = block(after_name, k, -ConvexProgram::infinity);
     Expressions in(at(size_));
     Expressions out(at(size_));
@@ -205,8 +205,7 @@ class Formulator {
 
   // A variable that stands for a long expression, so that each row stays short.
   Variable named(const std::string& name, int k, const Expression& expression) {
-    const Variable variable =
-        program_.add_block(label(name, k), 1, -ConvexProgram::infinity).front();
+    const Variable variable = program_.add_block(label(name, k), 1, -ConvexProgram::infinity).front();
     program_.equal(variable, expression);
     return variable;
   }

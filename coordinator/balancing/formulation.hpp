@@ -22,7 +22,8 @@ struct Formulation {
   std::vector<std::vector<ArcFlow>> low_battery;  ///< y, per step
 };
 
-/// Writes down model, section 2. The horizon is the number of columns of `data.points`; the data are complete and sound.
+/// Writes down model, section 2. The horizon is the number of columns of `data.points`; the data are complete and
+/// sound.
 Formulation formulate(const BalancingParameters& parameters, const PlanningData& data, const Switches& switches);
 
 /// The decisions at a point of the program; flows below 1e-6 vehicles are left out.

@@ -64,8 +64,7 @@ std::vector<Flow> least_travel_and_wait(const BalancingParameters& parameters, c
       const double car = std::min(1.0, left);
       queue(from) -= car;
       int best = from;
-      double least =
-          station[static_cast<std::size_t>(from)] ? expected_wait(data, from, queue(from)) : HUGE_VAL;
+      double least = station[static_cast<std::size_t>(from)] ? expected_wait(data, from, queue(from)) : HUGE_VAL;
       for (const auto& arc : arcs) {
         if (arc.from == from) {
           const double minutes = data.minutes(from, arc.to) + expected_wait(data, arc.to, queue(arc.to));

@@ -21,7 +21,9 @@ void configure(Ipopt::IpoptApplication& application, const EngineSettings& setti
   options.SetStringValue("mehrotra_algorithm", "yes");
   options.SetStringValue("linear_solver", "mumps");
   options.SetIntegerValue("mumps_pivot_order", 2);
+  options.SetNumericValue("mumps_pivtol", 1e-2);  // at the default 1e-6 one solve in a hundred never settles
   options.SetNumericValue("tol", 1e-9);
+  options.SetNumericValue("bound_relax_factor", 1e-10);  // the default lets a row with many cars be off by 6e-7
   options.SetNumericValue("constr_viol_tol", 1e-8);
   options.SetNumericValue("dual_inf_tol", 1e-7);
   options.SetNumericValue("compl_inf_tol", 1e-7);

@@ -228,10 +228,10 @@ bool IpoptNlp::eval_h(Index /*n*/, const Number* x, bool /*new_x*/, Number objec
   return true;
 }
 
-void IpoptNlp::finalize_solution(Ipopt::SolverReturn /*status*/, Index /*n*/, const Number* x, const Number* /*z_lower*/,
-                                 const Number* /*z_upper*/, Index /*m*/, const Number* /*rows*/,
-                                 const Number* /*lambda*/, Number /*value*/, const Ipopt::IpoptData* /*data*/,
-                                 Ipopt::IpoptCalculatedQuantities* /*quantities*/) {
+void IpoptNlp::finalize_solution(Ipopt::SolverReturn /*status*/, Index /*n*/, const Number* x,
+                                 const Number* /*z_lower*/, const Number* /*z_upper*/, Index /*m*/,
+                                 const Number* /*rows*/, const Number* /*lambda*/, Number /*value*/,
+                                 const Ipopt::IpoptData* /*data*/, Ipopt::IpoptCalculatedQuantities* /*quantities*/) {
   point_ = Eigen::Map<const Eigen::VectorXd>(x, program_.variables());
 }
 

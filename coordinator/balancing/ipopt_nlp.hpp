@@ -3,7 +3,6 @@
 #include "coordinator/balancing/program.hpp"
 
 #include <Eigen/Core>
-
 #include <coin/IpTNLP.hpp>
 
 #include <vector>

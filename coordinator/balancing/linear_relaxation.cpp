@@ -3,6 +3,7 @@
 #include <coin/ClpSimplex.hpp>
 #include <coin/CoinPackedMatrix.hpp>
 
+#include <algorithm>
 #include <vector>
 
 namespace evbal {
@@ -23,21 +24,32 @@ CoinPackedMatrix matrix_of(const ConvexProgram& program) {
   return matrix;
 }
 
+// Clp knows the largest double as no bound, and no infinity.
+std::vector<double> clp_bounds(std::vector<double> bounds) {
+  for (double& bound : bounds) {
+    bound = std::clamp(bound, -COIN_DBL_MAX, COIN_DBL_MAX);
+  }
+  return bounds;
+}
+
 }  // namespace
 
 LinearRelaxation::LinearRelaxation(const ConvexProgram& program)
     : program_(program), clp_(std::make_unique<ClpSimplex>()) {
-  std::vector<double> lower = program.lower();
-  std::vector<double> upper = program.upper();
+  std::vector<double> lower = clp_bounds(program.lower());
+  std::vector<double> upper = clp_bounds(program.upper());
   std::vector<double> cost = program.cost();
   for (const auto& norm : program.norms()) {
     lower.push_back(0.0);
-    upper.push_back(ConvexProgram::infinity);
+    upper.push_back(COIN_DBL_MAX);
     cost.push_back(norm.weight);
   }
   clp_->setLogLevel(0);
-  clp_->loadProblem(matrix_of(program), lower.data(), upper.data(), cost.data(), program.row_low().data(),
-                    program.row_high().data());
+  // Shares of a transition go down to nothing, and geometric scaling makes them loud: with it Clp 1.17 stops at points
+  // up to 8 % off and calls them optimal, and takes five times as long. Vehicles and km are of one size as they are.
+  clp_->scaling(0);
+  clp_->loadProblem(matrix_of(program), lower.data(), upper.data(), cost.data(), clp_bounds(program.row_low()).data(),
+                    clp_bounds(program.row_high()).data());
 }
 
 LinearRelaxation::~LinearRelaxation() = default;

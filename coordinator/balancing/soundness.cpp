@@ -14,8 +14,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // Collects the first complaint only.
 class Complaint {
  public:
-  // Every entry within [low, high]; NaN never is. A matrix's entry is named by region and, if it has several columns, by
-  // `column`.
+  // Every entry within [low, high]; NaN never is. A matrix's entry is named by region and, if it has several columns,
+  // by `column`.
   void require(const Eigen::MatrixXd& values, double low, double high, std::string_view what, std::string_view column) {
     for (Eigen::Index i = 0; i < values.rows(); ++i) {
       for (Eigen::Index j = 0; j < values.cols(); ++j) {
@@ -64,8 +64,8 @@ void check_set(Complaint& complaint, const MomentSet& set, Eigen::Index regions,
   complaint.require(set.mean.reshaped(regions, steps), -most, most, what + ", mean", "step");
   complaint.require(set.deviation.reshaped(regions, steps), least, most, what + ", deviation", "step");
   for (Eigen::Index r = 0; r < set.factors.cols(); ++r) {
-    complaint.require(set.factors.col(r).reshaped(regions, steps), -most, most,
-                      what + ", factor " + std::to_string(r), "step");
+    complaint.require(set.factors.col(r).reshaped(regions, steps), -most, most, what + ", factor " + std::to_string(r),
+                      "step");
   }
   complaint.require(set.g1, 0.0, most, what + ", threshold g1");
   complaint.require(set.g2, 0.0, most, what + ", threshold g2");

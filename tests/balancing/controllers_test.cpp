@@ -1,30 +1,271 @@
 #include "coordinator/balancing/controllers.hpp"
 
-#include "tests/balancing/random_data.hpp"
+#include "coordinator/balancing/formulation.hpp"
+#include "tests/balancing/random_planning_data.hpp"
 
+#include <Eigen/Cholesky>
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
-#include <chrono>
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 
 namespace evbal {
 namespace {
 
-TEST(Controllers, Timing) {
-  for (int n : {5, 54}) {
-    for (int tau : {1, 2, 3}) {
-      for (const auto& name : {"nominal", "robust"}) {
-        for (std::uint64_t seed = 1; seed < 6; ++seed) {
-          const auto data = random_data(seed, {.regions = n, .tau = tau});
-          const auto start = std::clock();
-          const auto result = balance(name, {}, data, {});
-          const auto& c = result.certificate;
-          std::printf("%d %d %s %d it %d  %.3f s obj %.8f gap %.2e viol %.2e %s\n", n, tau, name, c.optimal, c.iterations,
-                      double(std::clock() - start) / CLOCKS_PER_SEC, c.objective, c.gap, c.max_violation, c.why_not.c_str());
-        }
-      }
+const std::vector<std::string> solving = {"nominal", "robust"};
+
+double optimum(const std::string& controller, const PlanningData& data, const BalancingParameters& parameters = {}) {
+  const auto certificate = balance(controller, parameters, data, {}).certificate;
+  EXPECT_TRUE(certificate.optimal) << controller << ": " << certificate.why_not;
+  return certificate.objective;
+}
+
+TEST(Controllers, FindACertifiedOptimum) {
+  for (const auto& controller : solving) {
+    for (const int tau : {1, 2, 4}) {
+      const auto result = balance(controller, {}, random_planning_data(1, {.regions = 8, .tau = tau}), {});
+      EXPECT_TRUE(result.certificate.optimal) << result.certificate.why_not;
+      EXPECT_LT(result.certificate.max_violation, 1e-6);
+      EXPECT_LT(std::abs(result.certificate.gap), 1e-6);
+      EXPECT_GT(result.certificate.iterations, 0);
+      EXPECT_EQ(std::ssize(result.dispatch.vacant), tau);
+      EXPECT_FALSE(result.dispatch.vacant.front().empty());
     }
   }
+}
+
+TEST(Controllers, StayFeasibleInExtremes) {
+  const DataShape shape{.regions = 6, .tau = 3};
+  const std::vector<std::pair<std::string, std::function<void(PlanningData&)>>> extremes = {
+      {"demand x 10", [](PlanningData& d) { d.demand.mean *= 10.0; }},
+      {"no demand", [](PlanningData& d) { d.demand.mean.setZero(); }},
+      {"no vehicles",
+       [](PlanningData& d) {
+         for (auto* stock : {&d.state.vacant, &d.state.occupied, &d.state.low_battery, &d.state.plugged}) {
+           stock->setZero();
+         }
+         d.state.arriving_vacant.setZero();
+         d.state.arriving_low_battery.setZero();
+       }},
+      {"no points", [](PlanningData& d) { d.points.setZero(); }},
+      {"points fail under plugged cars", [](PlanningData& d) { d.points.col(0).setZero(); }},
+      {"all low",
+       [](PlanningData& d) {
+         d.state.low_battery += d.state.vacant;
+         d.state.vacant.setZero();
+       }},
+      {"thousands of vehicles", [](PlanningData& d) { d.state.vacant *= 1000.0; }},
+      {"a region cut off",
+       [](PlanningData& d) {
+         d.km.row(2).setConstant(std::numeric_limits<double>::infinity());
+         d.km.col(2).setConstant(std::numeric_limits<double>::infinity());
+       }},
+      {"covariances of rank one", [](PlanningData& d) { d.completions.deviation.setConstant(1e-6); }},
+      {"huge thresholds", [](PlanningData& d) { d.completions.g1 = d.completions.g2 = 1e4; }},
+  };
+  for (const auto& [what, spoil] : extremes) {
+    auto data = random_planning_data(5, shape);
+    spoil(data);
+    for (const auto& controller : controller_names()) {
+      const auto certificate = balance(controller, {}, data, {}).certificate;
+      EXPECT_TRUE(certificate.optimal) << what << ", " << controller << ": " << certificate.why_not;
+    }
+  }
+}
+
+TEST(Controllers, RobustIsNominalWithoutUncertainty) {
+  auto data = random_planning_data(2, {.regions = 6});
+  const double nominal = optimum("nominal", data);
+  const double robust = optimum("robust", data);
+  EXPECT_GT(robust, nominal + 1.0);
+  data.demand.g1 = data.completions.g1 = 0.0;
+  EXPECT_NEAR(optimum("robust", data), nominal, 1e-6 * nominal);
+}
+
+// With one step, moving vacant and low-battery cars are two problems of one net flow each; both by golden section.
+TEST(Controllers, AgreeWithBruteForceOnTwoRegions) {
+  const auto golden = [](double low, double high, const auto& f) {
+    const double ratio = (std::sqrt(5.0) - 1.0) / 2.0;
+    while (high - low > 1e-9) {
+      const double a = high - ratio * (high - low);
+      const double b = low + ratio * (high - low);
+      f(a) < f(b) ? high = b : low = a;
+    }
+    return f((low + high) / 2.0);
+  };
+  const BalancingParameters p;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const auto data = random_planning_data(seed, {.regions = 2, .tau = 1, .rank = 1, .station_share = 1.0});
+    const auto& s = data.state;
+    for (const bool robust : {false, true}) {
+      const double gr = robust ? std::min(data.demand.g1, data.demand.g2) : 0.0;
+      const double gc = robust ? std::min(data.completions.g1, data.completions.g2) : 0.0;
+      const double rho = data.demand.mean.sum() / std::max(1.0, s.vacant.sum());
+      const auto vacant_cost = [&](double x) {
+        double cost = std::abs(x) * data.km(0, 1);
+        for (int i = 0; i < 2; ++i) {
+          const double stay = s.vacant(i) + (i == 0 ? -x : x);
+          const double sigma = data.demand.standard_deviation()(i);
+          const double high = data.demand.mean(i) + std::sqrt(gr) * sigma;
+          const double low = std::max(0.0, data.demand.mean(i) - std::sqrt(gr) * sigma);
+          cost += p.p_shortage * std::max(0.0, high - rho * (1.0 + p.eta) * stay);
+          cost += p.p_surplus * std::max(0.0, rho * (1.0 - p.eta) * stay - low);
+        }
+        return cost;
+      };
+      const auto low_battery_cost = [&](double y) {
+        double cost = p.beta * std::abs(y) * data.km(0, 1);
+        Eigen::Vector2d z;
+        for (int i = 0; i < 2; ++i) {
+          const double there = s.low_battery(i) + (i == 0 ? -y : y);
+          const double sigma = data.completions.standard_deviation()(i);
+          const double c_low = std::max(0.0, data.completions.mean(i) - std::sqrt(gc) * sigma);
+          const double released = std::min(s.plugged(i), c_low);
+          const double plugs = std::min(there, data.points(i, 0) - s.plugged(i) + released);
+          const double c_hat =
+              std::min(data.completions.mean(i), data.points(i, 0) * data.step_minutes / data.mean_session_minutes);
+          z(i) = std::pow(there + p.eps, -p.a);
+          cost += p.omega * (there - plugs) + p.pi_e * (c_low - released) + p.theta_0 / p.a * c_hat * z(i);
+        }
+        const Eigen::Matrix2d sigma =
+            Eigen::Matrix2d(data.completions.deviation.array().square().matrix().asDiagonal()) +
+            data.completions.factors * data.completions.factors.transpose();
+        return cost + p.theta_0 / p.a * std::sqrt(gc * z.dot(sigma * z));
+      };
+      const double expected = golden(-s.vacant(1), s.vacant(0), vacant_cost) +
+                              golden(-s.low_battery(1), s.low_battery(0), low_battery_cost);
+      EXPECT_NEAR(optimum(robust ? "robust" : "nominal", data), expected, 2e-6 * expected) << "seed " << seed;
+    }
+  }
+}
+
+RC_GTEST_PROP(Controllers, NeverSendMoreThanThereIsAndLoseNobody, ()) {
+  const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+  const int regions = *rc::gen::inRange(1, 6);
+  const auto data = random_planning_data(seed, {.regions = regions, .tau = 3});
+  const auto formulation = formulate({}, data, {.demand = Belief::mean, .supply = Belief::mean});
+  const auto solution = solve(formulation.program, {});
+  RC_ASSERT(solution.certificate.optimal);
+  Eigen::VectorXd left = data.state.vacant;
+  const auto dispatch = dispatch_at(formulation, solution.x);
+  for (const auto& flow : dispatch.vacant.front()) {
+    left(flow.from) -= flow.amount;
+  }
+  RC_ASSERT(left.minCoeff() >= -1e-6);
+
+  // V+O+L+B at the second step is the fleet and what came off the road.
+  double second = 0.0;
+  for (const auto& block : formulation.program.blocks()) {
+    if (block.name == "V2" || block.name == "O2" || block.name == "L2" || block.name == "B2") {
+      second += solution.x.segment(block.first, block.size).sum();
+    }
+  }
+  const auto& s = data.state;
+  const double first = s.vacant.sum() + s.occupied.sum() + s.low_battery.sum() + s.plugged.sum() +
+                       s.arriving_vacant.col(0).sum() + s.arriving_low_battery.col(0).sum();
+  RC_ASSERT(std::abs(first - second) < 1e-6 * std::max(1.0, first));
+}
+
+TEST(Controllers, NamesOfRegionsDoNotMatter) {
+  const auto data = random_planning_data(9, {.regions = 7});
+  const int n = 7;
+  Eigen::PermutationMatrix<Eigen::Dynamic> one(n);
+  one.indices() << 3, 5, 0, 6, 1, 2, 4;
+  Eigen::PermutationMatrix<Eigen::Dynamic> both(2 * n);
+  for (int i = 0; i < n; ++i) {
+    both.indices()(i) = one.indices()(i);
+    both.indices()(n + i) = n + one.indices()(i);
+  }
+  auto renamed = data;
+  for (auto* square : {&renamed.km, &renamed.minutes}) {
+    *square = (one * *square * one.transpose()).eval();
+  }
+  for (auto* vector : {&renamed.state.vacant, &renamed.state.occupied, &renamed.state.low_battery,
+                       &renamed.state.plugged, &renamed.state.waiting}) {
+    *vector = (one * *vector).eval();
+  }
+  for (auto* rows : {&renamed.state.arriving_vacant, &renamed.state.arriving_low_battery, &renamed.points}) {
+    *rows = (one * *rows).eval();
+  }
+  for (auto* set : {&renamed.demand, &renamed.completions}) {
+    set->mean = (both * set->mean).eval();
+    set->deviation = (both * set->deviation).eval();
+    set->factors = (both * set->factors).eval();
+  }
+  for (auto& move : renamed.transitions) {
+    for (auto* square : {&move.vacant_to_vacant, &move.vacant_to_occupied, &move.vacant_to_low_battery,
+                         &move.occupied_to_vacant, &move.occupied_to_occupied}) {
+      *square = (one * *square * one.transpose()).eval();
+    }
+  }
+  for (const auto& controller : solving) {
+    const double expected = optimum(controller, data);
+    EXPECT_NEAR(optimum(controller, renamed), expected, 2e-6 * expected);
+  }
+}
+
+TEST(Controllers, RefuseByName) {
+  const auto refusal = [](const std::function<void(PlanningData&, BalancingParameters&)>& spoil) {
+    auto data = random_planning_data(1, {.regions = 4});
+    BalancingParameters parameters;
+    spoil(data, parameters);
+    const auto certificate = balance("robust", parameters, data, {}).certificate;
+    EXPECT_FALSE(certificate.optimal);
+    return certificate.why_not;
+  };
+  const double nan = std::nan("");
+  EXPECT_TRUE(
+      refusal([&](auto& d, auto&) { d.state.vacant(3) = nan; }).starts_with("vacant vehicles of region 3: nan"));
+  EXPECT_TRUE(refusal([](auto& d, auto&) { d.state.plugged(0) = -1.0; }).starts_with("plugged vehicles of region 0"));
+  EXPECT_TRUE(
+      refusal([&](auto& d, auto&) { d.demand.factors(5, 1) = nan; }).starts_with("demand, factor 1 of region 1"));
+  EXPECT_TRUE(refusal([](auto& d, auto&) { d.completions.deviation(2) = 0.0; }).starts_with("completions, deviation"));
+  EXPECT_TRUE(refusal([](auto& d, auto&) { d.completions.g2 = -0.1; }).starts_with("completions, threshold g2"));
+  EXPECT_TRUE(refusal([](auto& d, auto&) {
+                d.transitions[1].vacant_to_vacant(2, 2) += 0.01;
+              }).starts_with("transitions of vacant, step 1, row sum of region 2"));
+  EXPECT_TRUE(refusal([](auto& d, auto&) { d.points(1, 1) = -2.0; }).starts_with("points of region 1, step 1"));
+  EXPECT_TRUE(refusal([](auto&, auto& p) { p.a = 0.0; }).starts_with("parameter a"));
+}
+
+TEST(Controllers, SayWhyASolveFailed) {
+  const auto data = random_planning_data(1, {.regions = 5});
+  const auto result = balance("robust", {}, data, {.name = "ipopt", .max_iterations = 3});
+  EXPECT_FALSE(result.certificate.optimal);
+  EXPECT_EQ(result.certificate.why_not, "no optimum within 3 iterations");
+  EXPECT_TRUE(result.dispatch.vacant.empty());
+}
+
+TEST(Controllers, SolveTheSameTwice) {
+  const auto data = random_planning_data(4, {.regions = 10});
+  const auto once = balance("robust", {}, data, {});
+  const auto twice = balance("robust", {}, data, {});
+  EXPECT_EQ(once.certificate.objective, twice.certificate.objective);
+  EXPECT_EQ(once.certificate.lower_bound, twice.certificate.lower_bound);
+}
+
+// sup E[h'xi] = h'mu + sqrt(g) || Sigma^(1/2) h ||: no mean within the ellipsoid does worse, and one does as badly.
+TEST(WorstCase, ClosedFormIsTheSupremum) {
+  const auto data = random_planning_data(6, {.regions = 3, .tau = 2, .rank = 2});
+  const auto& set = data.completions;
+  const Eigen::VectorXd h = Eigen::VectorXd::LinSpaced(6, -1.0, 2.0);
+  const NormTerm norm{1.0, {0, 1, 2, 3, 4, 5}, set.deviation, set.factors};
+  const double supremum = std::sqrt(set.g1) * norm.norm(h);
+  const Eigen::MatrixXd sigma =
+      Eigen::MatrixXd(set.deviation.array().square().matrix().asDiagonal()) + set.factors * set.factors.transpose();
+  const Eigen::MatrixXd root = sigma.llt().matrixL();
+  for (int draw = 0; draw < 2000; ++draw) {
+    const Eigen::VectorXd direction = Eigen::VectorXd::NullaryExpr(
+        6, [draw](Eigen::Index i) { return std::sin(1.0 + 7.3 * draw + 1.7 * static_cast<double>(i) * draw); });
+    const Eigen::VectorXd delta = std::sqrt(set.g1) * (root * direction.normalized());
+    EXPECT_LE(h.dot(delta), supremum + 1e-12);
+  }
+  const Eigen::VectorXd worst = std::sqrt(set.g1) * sigma * h / norm.norm(h);
+  EXPECT_NEAR(worst.dot(sigma.llt().solve(worst)), set.g1, 1e-12);
+  EXPECT_NEAR(h.dot(worst), supremum, 1e-12);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "tests/balancing/random_data.hpp"
+#include "tests/balancing/random_planning_data.hpp"
 
 #include "common/random.hpp"
 
@@ -40,7 +40,7 @@ Transitions transitions(RandomStream& random, int regions) {
 
 }  // namespace
 
-PlanningData random_data(std::uint64_t seed, const DataShape& shape) {
+PlanningData random_planning_data(std::uint64_t seed, const DataShape& shape) {
   RandomStream random(seed, Purpose::synthetic_city, {});
   const int n = shape.regions;
   const auto count = [&](double mean) { return static_cast<double>(random.poisson(mean)); };
@@ -68,9 +68,8 @@ PlanningData random_data(std::uint64_t seed, const DataShape& shape) {
       data.points.row(i).setConstant(1.0 + count(0.2 * cars));
     }
   }
-  data.state.plugged = data.points.col(0).unaryExpr([&](double points) {
-    return std::floor(random.uniform() * (points + 1.0));
-  });
+  data.state.plugged =
+      data.points.col(0).unaryExpr([&](double points) { return std::floor(random.uniform() * (points + 1.0)); });
 
   const Eigen::VectorXd busy = matrix(n, 1, [&] { return shape.demand_scale * cars * random.exponential(1.0); });
   data.demand = moment_set(random, busy.replicate(shape.tau, 1), shape.rank);

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "coordinator/balancing/problem.hpp"
+
+#include <cstdint>
+
+namespace evbal {
+
+/// What one region is made of; random_planning_data() scales it to any size.
+struct DataShape {
+  int regions = 5;
+  int tau = 2;
+  int rank = 2;  ///< of the covariances' factors
+  double vehicles_per_region = 10.0;
+  double demand_scale = 1.0;   ///< on the expected passengers
+  double station_share = 0.4;  ///< of the regions; the first always has one, unless this is 0
+};
+
+/// A random city at a random moment: sound, complete, and the same for the same seed.
+PlanningData random_planning_data(std::uint64_t seed, const DataShape& shape);
+
+}  // namespace evbal
