@@ -1,9 +1,12 @@
 #include "experiments/scenario/scenario.hpp"
 
+#include "experiments/metrics/metrics.hpp"
+
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -185,6 +188,13 @@ TEST(Scenario, ShippedOnesHoldASpikeInTheEveningAndAnOutageInTheMorning) {
     EXPECT_GT(spike.magnitudes[0], 1.3);
     // Once drawn, faults do not follow the world's seed: every seed of a comparison meets the same.
     EXPECT_EQ(read_scenario(entry.path(), {.seed = 77}).schedule, scenario.schedule);
+  }
+}
+
+TEST(Expect, NamesMetricsThatThereAre) {
+  const auto measured = metric_names();
+  for (const auto& metric : expectable_metrics()) {
+    EXPECT_EQ(std::count(measured.begin(), measured.end(), metric), 1) << metric;
   }
 }
 
