@@ -1,7 +1,9 @@
 #include "common/error.hpp"
 #include "common/pin.hpp"
 #include "experiments/doctor_command.hpp"
+#include "experiments/replay_command.hpp"
 #include "experiments/report_command.hpp"
+#include "experiments/run_command.hpp"
 #include "tools/ingest/ingest_command.hpp"
 
 #include <CLI/CLI.hpp>
@@ -12,7 +14,9 @@ int main(int argc, char** argv) {
   evbal::pin_arithmetic(argv);
   CLI::App app("Multi-agent MPC testbed with fault injection for electric taxi fleets", "evbal");
   app.require_subcommand(1);
+  evbal::add_run_command(app);
   evbal::add_report_command(app);
+  evbal::add_replay_command(app);
   evbal::add_ingest_command(app);
   evbal::add_doctor_command(app);
   try {

@@ -40,7 +40,7 @@ void report(const std::vector<std::string>& folders, const std::string& out) {
   }
   const fs::path page =
       !out.empty() ? fs::path(out) : (folders.size() == 1 ? fs::path(folders[0]) : ".") / "report.html";
-  write_text(page, report_page(runs));
+  write_file(page, report_page(runs));
   std::printf("%s\n", page.c_str());
 }
 

@@ -1,6 +1,7 @@
 #include "experiments/record/compare.hpp"
 
 #include "experiments/record/compare_days.hpp"
+#include "experiments/record/summary.hpp"
 #include "experiments/record/text.hpp"
 
 #include <nlohmann/json.hpp>
@@ -35,8 +36,8 @@ std::string place_of(const std::vector<std::string>& names, const std::vector<st
 }
 
 Difference compare_csv(const fs::path& recorded, const fs::path& replayed, const DayClock& clock) {
-  const std::string was = read_text(recorded);
-  const std::string is = read_text(replayed);
+  const std::string was = text_of_file(recorded);
+  const std::string is = text_of_file(replayed);
   if (was == is) {
     return std::nullopt;
   }
@@ -73,8 +74,8 @@ void forget_circumstances(Json& summary) {
 }
 
 Difference compare_summaries(const fs::path& recorded, const fs::path& replayed) {
-  Json was = Json::parse(read_text(recorded), nullptr, false);
-  Json is = Json::parse(read_text(replayed), nullptr, false);
+  Json was = Json::parse(text_of_file(recorded), nullptr, false);
+  Json is = Json::parse(text_of_file(replayed), nullptr, false);
   if (was.is_discarded() || !was.is_object()) {
     return "summary.json: cannot be read as JSON";
   }
@@ -110,6 +111,12 @@ Difference first_difference(const fs::path& recorded, const fs::path& replayed, 
     }
   }
   return compare_summaries(recorded / "summary.json", replayed / "summary.json");
+}
+
+bool scenario_is_original(const fs::path& folder) {
+  const Json summary = Json::parse(text_of_file(folder / "summary.json"), nullptr, false);
+  return summary.is_object() && summary.contains("scenario_digest") &&
+         summary["scenario_digest"] == text_digest(text_of_file(folder / "scenario.resolved.yaml"));
 }
 
 }  // namespace evbal

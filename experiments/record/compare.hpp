@@ -15,4 +15,7 @@ namespace evbal {
 std::optional<std::string> first_difference(const std::filesystem::path& recorded,
                                             const std::filesystem::path& replayed, const DayClock& clock);
 
+/// Is scenario.resolved.yaml still the text that the run was made from?
+bool scenario_is_original(const std::filesystem::path& folder);
+
 }  // namespace evbal

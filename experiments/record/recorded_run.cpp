@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 void read_summary(const fs::path& file, RecordedRun& run) {
-  const auto json = nlohmann::json::parse(read_text(file));
+  const auto json = nlohmann::json::parse(text_of_file(file));
   const auto& solver = json.at("solver");
   run.scenario = json.at("scenario");
   run.date = json.at("date");
@@ -36,7 +36,7 @@ void read_summary(const fs::path& file, RecordedRun& run) {
 }
 
 void read_steps(const fs::path& file, RecordedRun& run) {
-  std::istringstream lines(read_text(file));
+  std::istringstream lines(text_of_file(file));
   std::string line;
   std::getline(lines, line);
   const auto names = split(line, ',');

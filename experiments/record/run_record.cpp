@@ -68,7 +68,7 @@ RunRecord::RunRecord(fs::path folder, RunHeader header)
       file_(folder_ / "run.sqlite", header_.region_names, header_.frame.points, header_.faults),
       start_(Clock::now()),
       last_(start_) {
-  write_text(folder_ / "scenario.resolved.yaml", header_.resolved);
+  write_file(folder_ / "scenario.resolved.yaml", header_.resolved);
   mark_incomplete();
 }
 
@@ -101,7 +101,7 @@ RunRecord::~RunRecord() {
 void RunRecord::mark_incomplete() const {
   const DayClock& clock = header_.frame.clock;
   const int done = static_cast<int>(ticks_.size());
-  write_text(folder_ / "INCOMPLETE", "recorded " + std::to_string(done) + " of " + std::to_string(clock.ticks()) +
+  write_file(folder_ / "INCOMPLETE", "recorded " + std::to_string(done) + " of " + std::to_string(clock.ticks()) +
                                          " ticks, until " + time_of_day(clock, clock.minute_of(done)) + "\n");
 }
 
@@ -147,9 +147,9 @@ RunResult RunRecord::finish() {
   const DayMetrics day = measure(header_.frame, ticks_);
   const std::string digest = digest_.hex();
   const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-  write_text(folder_ / "steps.csv", steps_csv(clock, day));
-  write_text(folder_ / "regions.csv", regions_csv(clock, day));
-  write_text(folder_ / "summary.json", summary_json(header_, day, digest, ticks_, tick_seconds_, seconds));
+  write_file(folder_ / "steps.csv", steps_csv(clock, day));
+  write_file(folder_ / "regions.csv", regions_csv(clock, day));
+  write_file(folder_ / "summary.json", summary_json(header_, day, digest, ticks_, tick_seconds_, seconds));
   fs::remove(folder_ / "INCOMPLETE");
   finished_ = true;
   return {folder_, header_.controller, digest, day.totals, count_fallbacks(ticks_), seconds};

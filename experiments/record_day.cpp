@@ -1,0 +1,92 @@
+#include "experiments/record_day.hpp"
+
+#include "common/interrupt.hpp"
+#include "coordinator/planning/coordinator.hpp"
+#include "experiments/conductor/dds_players.hpp"
+#include "experiments/conductor/inproc_players.hpp"
+#include "experiments/conductor/run_day.hpp"
+#include "experiments/progress.hpp"
+#include "experiments/record/row.hpp"
+
+#include <memory>
+
+namespace evbal {
+namespace {
+
+std::shared_ptr<Coordinator> coordinator_of(const Scenario& scenario) {
+  const World& world = scenario.world;
+  return std::make_shared<Coordinator>(world.city, world.clock, world.day.date, scenario.planning,
+                                       read_model(model_file(scenario.planning, world.city)));
+}
+
+std::unique_ptr<Players> players_of(const Scenario& scenario, const std::filesystem::path& folder,
+                                    const std::string& transport) {
+  if (transport == "dds") {
+    return std::make_unique<DdsPlayers>(DdsRun{
+        .folder = folder, .regions = scenario.world.city.size(), .regions_per_process = scenario.regions_per_process});
+  }
+  return std::make_unique<InprocPlayers>(
+      scenario.world,
+      [coordinator = coordinator_of(scenario)](int tick, const std::vector<Report>& reports) {
+        return coordinator->plan(tick, reports);
+      },
+      [&scenario](int tick) { return faults_at(scenario.schedule, scenario.world.clock, tick); });
+}
+
+RunHeader header_of(const Scenario& scenario, const std::string& resolved) {
+  const World& world = scenario.world;
+  const Eigen::VectorXi points = world.city.points();
+  RunHeader header;
+  header.scenario = scenario.name;
+  header.resolved = resolved;
+  header.date = world.day.date;
+  header.seed = world.seed;
+  header.controller = scenario.planning.controller;
+  header.engine = scenario.planning.engine.name;
+  header.transport = scenario.transport;
+  header.frame = {
+      .clock = world.clock, .points = {points.begin(), points.end()}, .beta = scenario.planning.balancing.beta};
+  for (const auto& region : world.city.regions) {
+    header.region_names.push_back(region.name);
+  }
+  for (const auto& fault : scenario.schedule.faults) {
+    header.faults.push_back(
+        {.name = fault.name, .type = word(fault.type), .start = fault.start, .end = fault.start + fault.duration});
+  }
+  return header;
+}
+
+std::vector<std::string> fault_names(const Schedule& schedule) {
+  std::vector<std::string> names;
+  for (const auto& fault : schedule.faults) {
+    names.push_back(fault.name);
+  }
+  return names;
+}
+
+}  // namespace
+
+Scenario with_controller(Scenario scenario, const std::string& controller) {
+  scenario.controllers = {controller};
+  scenario.planning.controller = controller;
+  return scenario;
+}
+
+void check_planning(const Scenario& scenario) {
+  coordinator_of(scenario);
+}
+
+RunResult record_day(const Scenario& scenario, const std::string& resolved, const std::filesystem::path& folder,
+                     const Stage& stage) {
+  RunRecord record(folder, header_of(scenario, resolved));
+  const auto players = players_of(scenario, folder, stage.transport);
+  Progress progress(scenario.planning.controller, scenario.world.clock, fault_names(scenario.schedule), stage.quiet);
+  run_day(scenario.world, *players, [&](const TickRecord& tick) {
+    record.add(tick);
+    progress.show(tick);
+    check_interrupt();
+  });
+  return record.finish();
+}
+
+}  // namespace evbal

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "experiments/record/run_record.hpp"
+#include "experiments/scenario/scenario.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace evbal {
+
+/// How a day is played, none of which changes what happens in it.
+struct Stage {
+  std::string transport;  ///< "dds" or "inproc"
+  bool quiet = false;     ///< without progress
+};
+
+/// The scenario for one of its controllers.
+Scenario with_controller(Scenario scenario, const std::string& controller);
+
+/// Throws Error{bad_input} if the day cannot be planned: there is no model, or it does not fit city, clock or horizon.
+void check_planning(const Scenario& scenario);
+
+/// Plays the day under the scenario's controller and records it in `folder`, which must not exist or be empty;
+/// `resolved` is the scenario's text for the record. Shows progress on stderr. Throws Error{run_failed} if the run
+/// breaks off, which leaves a record marked as incomplete.
+RunResult record_day(const Scenario& scenario, const std::string& resolved, const std::filesystem::path& folder,
+                     const Stage& stage);
+
+}  // namespace evbal

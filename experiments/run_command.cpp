@@ -1,0 +1,138 @@
+#include "experiments/run_command.hpp"
+
+#include "common/error.hpp"
+#include "common/interrupt.hpp"
+#include "experiments/record/recorded_run.hpp"
+#include "experiments/record/text.hpp"
+#include "experiments/record_day.hpp"
+#include "experiments/table.hpp"
+#include "tools/report/report.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+namespace evbal {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  fs::path scenario;
+  Overrides overrides;
+  std::string out;
+  bool quiet = false;
+};
+
+/// A directory of our own under runs/, made at once so that two runs never take the same.
+fs::path claim_folder(const Scenario& scenario) {
+  const std::string controller = scenario.controllers.size() == 1 ? "-" + scenario.controllers.front() : "";
+  const std::string base =
+      scenario.name + "-" + scenario.world.day.date + controller + "-seed" + std::to_string(scenario.world.seed);
+  fs::create_directories("runs");
+  for (int number = 1;; ++number) {
+    const fs::path folder = fs::path("runs") / (number == 1 ? base : base + "-" + std::to_string(number));
+    if (fs::create_directory(folder)) {
+      return folder;
+    }
+  }
+}
+
+/// Refused before any work is done for it.
+void refuse_used(const fs::path& folder) {
+  if (fs::exists(folder) && !(fs::is_directory(folder) && fs::is_empty(folder))) {
+    throw bad_input("--out: " + folder.string() + " is there and not an empty directory; give a new one");
+  }
+}
+
+void write_reports(const fs::path& folder, const std::vector<RunResult>& results) {
+  std::vector<RecordedRun> runs;
+  for (const auto& result : results) {
+    runs.push_back(read_run(result.folder));
+    write_file(result.folder / "report.html", report_page({runs.back()}));
+  }
+  if (runs.size() > 1) {
+    write_file(folder / "report.html", report_page(runs));
+  }
+}
+
+/// Throws Error{expectation_failed} naming every expectation that does not hold.
+void check_expectations(const Scenario& scenario, const std::vector<RunResult>& results) {
+  std::string failed;
+  for (const auto& result : results) {
+    for (const auto& [name, value] : named(result.totals)) {
+      for (const auto& expect : scenario.expect) {
+        if (expect.metric == name && !expect.holds(value)) {
+          failed += (failed.empty() ? "" : "; ") + result.controller + ": " + name + " is " + shortest(value) +
+                    ", expected " + (expect.at_most ? "at most " : "at least ") + shortest(expect.bound);
+        }
+      }
+    }
+  }
+  if (!failed.empty()) {
+    throw Error(ExitStatus::expectation_failed, failed);
+  }
+}
+
+std::vector<RunResult> run_all(const Scenario& scenario, const fs::path& folder, bool quiet) {
+  std::vector<RunResult> results;
+  for (const auto& controller : scenario.controllers) {
+    const fs::path own = scenario.controllers.size() == 1 ? folder : folder / controller;
+    const Scenario one = with_controller(scenario, controller);
+    results.push_back(
+        record_day(one, resolved_yaml(one, controller), own, {.transport = scenario.transport, .quiet = quiet}));
+  }
+  return results;
+}
+
+void run(const Arguments& arguments) {
+  catch_interrupts();
+  const Scenario scenario = read_scenario(arguments.scenario, arguments.overrides);
+  check_planning(scenario);
+  if (!arguments.out.empty()) {
+    refuse_used(arguments.out);
+  }
+  const fs::path folder = arguments.out.empty() ? claim_folder(scenario) : fs::path(arguments.out);
+  std::vector<RunResult> results;
+  try {
+    results = run_all(scenario, folder, arguments.quiet);
+  } catch (...) {
+    std::error_code not_empty;
+    fs::remove(folder, not_empty);
+    throw;
+  }
+  write_reports(folder, results);
+  if (!arguments.quiet) {
+    std::printf("\n%s\n", side_by_side(results).c_str());
+  }
+  for (const auto& result : results) {
+    std::printf("%s\n", result.folder.c_str());
+  }
+  if (!arguments.quiet) {
+    std::printf("%s\n", (folder / "report.html").c_str());
+  }
+  check_expectations(scenario, results);
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("run", "Play the day of a scenario and record it");
+  command->add_option("SCENARIO", arguments->scenario, "Scenario file (YAML)")->required();
+  command->add_option("--controller", arguments->overrides.controller, "One controller in place of the scenario's");
+  command->add_option("--day", arguments->overrides.day, "Another day on record, such as 2008-06-04");
+  command->add_option("--seed", arguments->overrides.seed, "Another seed")->check(CLI::NonNegativeNumber);
+  command->add_option("--faults", arguments->overrides.faults, "Another fault schedule (YAML)");
+  command->add_option("--transport", arguments->overrides.transport, "dds: processes on a bus; inproc: one process");
+  command->add_option("--regions-per-process", arguments->overrides.regions_per_process, "Regions that an agent hosts");
+  command->add_option("--engine", arguments->overrides.engine, "Solver of the balancing problem");
+  command->add_option("--out", arguments->out, "Run directory, new or empty; otherwise one under runs/");
+  command->add_flag("--quiet", arguments->quiet, "Print the run directories only");
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace evbal

@@ -1,0 +1,62 @@
+#include "experiments/table.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+
+namespace evbal {
+namespace {
+
+struct Line {
+  const char* name;
+  int digits;
+  std::function<double(const RunResult&)> value;
+};
+
+const std::vector<Line>& lines() {
+  static const std::vector<Line> all = {
+      {"idle km", 0, [](const RunResult& r) { return r.totals.idle_km; }},
+      {"unfairness of supply-demand ratio", 1, [](const RunResult& r) { return r.totals.unfairness.demand; }},
+      {"unfairness of utilisation", 1, [](const RunResult& r) { return r.totals.unfairness.charging; }},
+      {"served passengers", 0, [](const RunResult& r) { return static_cast<double>(r.totals.flows.served); }},
+      {"lost passengers", 0, [](const RunResult& r) { return static_cast<double>(r.totals.flows.lost); }},
+      {"lost, %", 1, [](const RunResult& r) { return 100.0 * r.totals.unserved_ratio; }},
+      {"charger wait, min", 0, [](const RunResult& r) { return r.totals.charger_wait_min; }},
+      {"charger wait, min per session", 1, [](const RunResult& r) { return r.totals.charger_wait_min_per_session; }},
+      {"plans that fell back", 0, [](const RunResult& r) { return r.fallbacks; }},
+      {"wall seconds", 0, [](const RunResult& r) { return r.wall_seconds; }},
+  };
+  return all;
+}
+
+std::string fixed(double value, int digits) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", digits, value);
+  return text;
+}
+
+std::string padded(const std::string& text, std::size_t width, bool left) {
+  const std::string space(width > text.size() ? width - text.size() : 0, ' ');
+  return left ? text + space : space + text;
+}
+
+}  // namespace
+
+std::string side_by_side(const std::vector<RunResult>& results) {
+  static constexpr std::size_t name_width = 35;
+  static constexpr std::size_t least_width = 12;
+  const auto width = [](const RunResult& result) { return std::max(least_width, result.controller.size() + 2); };
+  std::string text = padded("", name_width, true);
+  for (const auto& result : results) {
+    text += padded(result.controller, width(result), false);
+  }
+  for (const auto& line : lines()) {
+    text += "\n" + padded(line.name, name_width, true);
+    for (const auto& result : results) {
+      text += padded(fixed(line.value(result), line.digits), width(result), false);
+    }
+  }
+  return text + "\n";
+}
+
+}  // namespace evbal
