@@ -39,8 +39,8 @@ std::string long_text() {
 TEST(LineReader, ReadsPlainAndCompressedAlike) {
   const Folder folder;
   const std::string text = long_text();
-  EXPECT_EQ(read_text(folder.write("a.csv", text)), text);
-  EXPECT_EQ(read_text(folder.write("a.csv.gz", gzipped(text))), text);
+  EXPECT_EQ(unpacked_text(folder.write("a.csv", text)), text);
+  EXPECT_EQ(unpacked_text(folder.write("a.csv.gz", gzipped(text))), text);
 }
 
 TEST(LineReader, TakesLinesOfWindowsAndAnOpenLastLine) {
@@ -61,14 +61,14 @@ TEST(LineReader, RefusesATruncatedFile) {
   const std::string whole = gzipped(long_text());
   const auto file = folder.write("a.csv.gz", whole.substr(0, whole.size() / 2));
   try {
-    read_text(file);
+    unpacked_text(file);
     FAIL() << "was accepted";
   } catch (const Error& error) {
     EXPECT_EQ(error.status(), ExitStatus::bad_input);
     EXPECT_TRUE(std::string(error.what()).starts_with(file.string() + ":")) << error.what();
     EXPECT_NE(std::string(error.what()).find("truncated"), std::string::npos) << error.what();
   }
-  EXPECT_THROW(read_text(folder.path() / "missing"), Error);
+  EXPECT_THROW(unpacked_text(folder.path() / "missing"), Error);
 }
 
 TEST(SplitCsv, KeepsCommasInQuotes) {

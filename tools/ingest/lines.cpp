@@ -67,7 +67,7 @@ Error LineReader::error(const std::string& message) const {
   return bad_input(file_, line_, message);
 }
 
-std::string read_text(const std::filesystem::path& file) {
+std::string unpacked_text(const std::filesystem::path& file) {
   LineReader lines(file);
   std::string text;
   std::string line;

@@ -32,7 +32,7 @@ class LineReader {
 };
 
 /// A whole file, plain or compressed.
-std::string read_text(const std::filesystem::path& file);
+std::string unpacked_text(const std::filesystem::path& file);
 
 /// The fields of a line of CSV; a field may stand in double quotes, a doubled quote inside means one.
 std::vector<std::string> split_csv(const std::string& line);

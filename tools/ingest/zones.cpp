@@ -111,7 +111,7 @@ double signed_area(const std::vector<Corner>& ring) {
 std::vector<Zone> read_zones(const std::filesystem::path& file) {
   std::vector<Zone> zones;
   try {
-    const json collection = json::parse(read_text(file));
+    const json collection = json::parse(unpacked_text(file));
     for (const auto& feature : collection.at("features")) {
       Zone zone = read_zone(feature);
       if (!zone.rings.empty()) {
