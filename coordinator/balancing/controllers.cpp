@@ -68,6 +68,7 @@ BalancingResult balance(const std::string& controller, const BalancingParameters
 
 std::vector<std::string> controller_names() {
   std::vector<std::string> names;
+  names.reserve(controllers.size());
   for (const auto& controller : controllers) {
     names.emplace_back(controller.name);
   }

@@ -27,6 +27,7 @@ Solution solve(const ConvexProgram& program, const EngineSettings& settings) {
 
 std::vector<std::string> engine_names() {
   std::vector<std::string> names;
+  names.reserve(engines.size());
   for (const auto& engine : engines) {
     names.emplace_back(engine.name);
   }

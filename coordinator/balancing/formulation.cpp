@@ -79,7 +79,7 @@ class Formulator {
   // S_i = V_i + sum_j x_ji - sum_j x_ij,    sum_j x_ij <= V_i,    cost: price sum w x.     Likewise Y, L, y.
   Variables send(const std::string& name, const std::string& after_name, int k, const std::vector<Arc>& arcs,
                  const Expressions& stock, double price, std::vector<std::vector<ArcFlow>>& flows) {
-    const Variables after = block(after_name, k, -ConvexProgram::infinity);
+    Variables after = block(after_name, k, -ConvexProgram::infinity);
     Expressions in(at(size_));
     Expressions out(at(size_));
     Expression km;

@@ -81,6 +81,7 @@ std::vector<Flow> least_travel_and_wait(const BalancingParameters& parameters, c
     }
   }
   std::vector<Flow> flows;
+  flows.reserve(sent.size());
   for (const auto& [pair, amount] : sent) {
     flows.push_back({pair.first, pair.second, amount});
   }
