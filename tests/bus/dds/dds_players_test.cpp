@@ -167,7 +167,8 @@ int processes_with(const std::string& word) {
   int count = 0;
   for (const auto& entry : fs::directory_iterator("/proc")) {
     std::ifstream in(entry.path() / "cmdline");
-    const std::string line{std::istreambuf_iterator<char>(in), {}};
+    std::string line;
+    std::getline(in, line);  // nothing if the process has just ended
     count += line.find(word) != std::string::npos ? 1 : 0;
   }
   return count;
@@ -182,44 +183,66 @@ bool comes_true(const std::function<bool()>& condition) {
 }
 
 /// A run of five regions in a launcher of its own.
-pid_t launch(const fs::path& folder, int ticks) {
-  const std::string launcher = own_folder() / "evbal-fake-run";
-  const std::string count = std::to_string(ticks);
-  const pid_t id = fork();
-  if (id == 0) {
-    execl(launcher.c_str(), launcher.c_str(), folder.c_str(), "5", "1", count.c_str(), nullptr);
-    _exit(99);
+class Launcher {
+ public:
+  Launcher(const fs::path& folder, int ticks) {
+    const std::string program = own_folder() / "evbal-fake-run";
+    const std::string count = std::to_string(ticks);
+    id_ = fork();
+    if (id_ == 0) {
+      execl(program.c_str(), program.c_str(), folder.c_str(), "5", "1", count.c_str(), nullptr);
+      _exit(99);
+    }
   }
-  return id;
-}
+  ~Launcher() {
+    if (!ended_) {
+      end_by(SIGKILL);
+    }
+  }
+  Launcher(const Launcher&) = delete;
+  Launcher& operator=(const Launcher&) = delete;
+
+  bool ended() {
+    ended_ = ended_ || waitpid(id_, &status_, WNOHANG) == id_;
+    return ended_;
+  }
+
+  void end_by(int signal) {
+    kill(id_, signal);
+    ended_ = waitpid(id_, &status_, 0) == id_;
+  }
+
+  /// -1 if a signal ended it.
+  int exit_status() const { return WIFEXITED(status_) ? WEXITSTATUS(status_) : -1; }
+
+ private:
+  pid_t id_ = 0;
+  int status_ = 0;
+  bool ended_ = false;
+};
 
 TEST_F(DdsPlayersTest, TwoRunsAtOnceDoNotMeet) {
   const TemporaryFolder other_folder;
-  const pid_t other = launch(other_folder.path(), 200);
+  Launcher other(other_folder.path(), 200);
   DdsPlayers players(run(3, 1));
   int ticks = 0;
-  int status = 0;
-  for (; waitpid(other, &status, WNOHANG) == 0; ++ticks) {
+  for (; !other.ended(); ++ticks) {
     const Tick message = fake::tick(ticks, 3);
     expect_whole(players.play(message), message);
   }
   EXPECT_GT(ticks, 10);
-  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+  EXPECT_EQ(other.exit_status(), 0);
 }
 
 /// A launcher in the middle of a run gets the signal; nothing may be left.
 void end_launcher_by(int signal, const fs::path& folder) {
   const auto shared_before = shared_memory();
-  const pid_t id = launch(folder, 1000000);
-  ASSERT_TRUE(comes_true([&] { return processes_with(folder) == 8; }));
+  Launcher launcher(folder, 1000000);
+  const int all = 8;  // five agents, coordinator, faults and the launcher
+  ASSERT_TRUE(comes_true([&] { return processes_with(folder) == all; }));
   std::this_thread::sleep_for(1s);
-  kill(id, signal);
-  int status = 0;
-  ASSERT_EQ(waitpid(id, &status, 0), id);
-  if (signal != SIGKILL) {
-    EXPECT_TRUE(WIFEXITED(status));
-    EXPECT_EQ(WEXITSTATUS(status), 3);
-  }
+  launcher.end_by(signal);
+  EXPECT_EQ(launcher.exit_status(), signal == SIGKILL ? -1 : 3);
   EXPECT_TRUE(comes_true([&] { return processes_with(folder) == 0; }));
   EXPECT_EQ(shared_memory(), shared_before);
 }
