@@ -4,6 +4,7 @@
 #include "agents/protocol/fingerprint.hpp"
 #include "common/error.hpp"
 #include "tests/bus/dds/fake_answers.hpp"
+#include "tests/folder.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -19,23 +20,6 @@ namespace {
 using namespace std::chrono_literals;
 namespace fs = std::filesystem;
 
-/// A folder of its own for each test, gone afterwards.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "evbal-dds-XXXXXX").string();
-    path_ = mkdtemp(name.data());
-  }
-  ~TemporaryFolder() { fs::remove_all(path_); }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
 class DdsPlayersTest : public testing::Test {
  protected:
   DdsRun run(int regions, int regions_per_process) const {
@@ -46,7 +30,7 @@ class DdsPlayersTest : public testing::Test {
             .patience = 60s};
   }
 
-  TemporaryFolder folder_;
+  Folder folder_;
 };
 
 template <class Message>
@@ -222,7 +206,7 @@ class Launcher {
 };
 
 TEST_F(DdsPlayersTest, TwoRunsAtOnceDoNotMeet) {
-  const TemporaryFolder other_folder;
+  const Folder other_folder;
   Launcher other(other_folder.path(), 200);
   DdsPlayers players(run(3, 1));
   int ticks = 0;
