@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <set>
 
 namespace evbal {
 namespace {
@@ -34,14 +33,10 @@ std::string Progress::line(const TickRecord& record) const {
   const int ticks_done = record.tick.tick + 1;
   const int minute = clock_.minute_of(ticks_done);
   const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  std::set<int> active;
-  for (const auto& effect : record.faults.effects) {
-    active.insert(effect.fault);
-  }
   std::string text = title_ + "  step " + std::to_string(clock_.step_of(clock_.minute_of(record.tick.tick)) + 1) + "/" +
                      std::to_string(clock_.steps()) + "  " + time_of_day(clock_, minute) + "  served " +
                      std::to_string(served_) + "  lost " + std::to_string(lost_);
-  for (const int fault : active) {
+  for (const int fault : active_) {
     text += "  [" + fault_names_.at(static_cast<std::size_t>(fault)) + "]";
   }
   return text + "  " + time_left(spent / ticks_done * (clock_.ticks() - ticks_done)) + " left";
@@ -53,14 +48,19 @@ void Progress::show(const TickRecord& record) {
       ++(fate.served ? served_ : lost_);
     }
   }
+  for (const auto& effect : record.faults.effects) {
+    active_.insert(effect.fault);
+  }
   if (quiet_) {
     return;
   }
   if (terminal_) {
     std::fprintf(stderr, "\r\033[K%s", line(record).c_str());
     line_open_ = true;
+    active_.clear();
   } else if ((clock_.start + clock_.minute_of(record.tick.tick + 1)) % 60 == 0) {
     std::fprintf(stderr, "%s\n", line(record).c_str());
+    active_.clear();
   }
 }
 

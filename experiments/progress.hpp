@@ -4,6 +4,7 @@
 #include "experiments/conductor/players.hpp"
 
 #include <chrono>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,7 @@ class Progress {
   bool terminal_;
   bool line_open_ = false;
   std::chrono::steady_clock::time_point start_;
+  std::set<int> active_;  ///< faults seen since the last line
   long served_ = 0;
   long lost_ = 0;
 };

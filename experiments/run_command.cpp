@@ -125,7 +125,10 @@ void add_run_command(CLI::App& app) {
   command->add_option("SCENARIO", arguments->scenario, "Scenario file (YAML)")->required();
   command->add_option("--controller", arguments->overrides.controller, "One controller in place of the scenario's");
   command->add_option("--day", arguments->overrides.day, "Another day on record, such as 2008-06-04");
-  command->add_option("--seed", arguments->overrides.seed, "Another seed")->check(CLI::NonNegativeNumber);
+  command->add_option("--seed", arguments->overrides.seed, "Another seed")->check([](const std::string& text) {
+    const bool whole = text.find_first_not_of("0123456789") == std::string::npos;
+    return whole ? "" : "give a whole number from 0 to 2^64-1";
+  });
   command->add_option("--faults", arguments->overrides.faults, "Another fault schedule (YAML)");
   command->add_option("--transport", arguments->overrides.transport, "dds: processes on a bus; inproc: one process");
   command->add_option("--regions-per-process", arguments->overrides.regions_per_process, "Regions that an agent hosts");

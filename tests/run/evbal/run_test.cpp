@@ -1,0 +1,140 @@
+#include "tests/run/evbal/command_line.hpp"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <spawn.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <set>
+#include <thread>
+
+namespace evbal {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::set<std::int64_t> writers(const fs::path& run, const std::string& table) {
+  const SQLite::Database database((run / "run.sqlite").string());
+  SQLite::Statement query(database, "SELECT DISTINCT origin_process_id FROM " + table);
+  std::set<std::int64_t> ids;
+  while (query.executeStep()) {
+    ids.insert(query.getColumn(0).getInt64());
+  }
+  return ids;
+}
+
+/// Starts the program on its own, in `folder`.
+pid_t start(const fs::path& folder, const std::string& arguments) {
+  std::string command = "cd " + folder.string() + " && exec " + EVBAL_PROGRAM + " " + arguments + " >out.txt 2>err.txt";
+  std::string shell = "/bin/sh";
+  std::string option = "-c";
+  char* words[] = {shell.data(), option.data(), command.data(), nullptr};
+  pid_t id = 0;
+  posix_spawn(&id, shell.c_str(), nullptr, nullptr, words, environ);
+  return id;
+}
+
+int wait_for(pid_t id) {
+  int status = 0;
+  waitpid(id, &status, 0);
+  return WEXITSTATUS(status);
+}
+
+TEST(Run, LeavesACompleteDirectoryAndATable) {
+  const CommandLine line;
+  const Ended ended = line.evbal("run morning.yaml --out a");
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  for (const char* file :
+       {"scenario.resolved.yaml", "summary.json", "steps.csv", "regions.csv", "run.sqlite", "report.html"}) {
+    EXPECT_TRUE(fs::exists(line.path() / "a" / file)) << file;
+  }
+  EXPECT_EQ(line.summary("a", "steps"), "6");
+  EXPECT_EQ(line.summary("a", "fleet_conserved"), "true");
+  EXPECT_EQ(line.summary("a", "fallbacks"), "0");
+  EXPECT_NE(ended.out.find("idle km"), std::string::npos);
+  EXPECT_NE(ended.err.find("08:00  served"), std::string::npos) << ended.err;
+  EXPECT_NE(ended.err.find("[outage]"), std::string::npos) << ended.err;
+}
+
+TEST(Run, TakesADirectoryOfItsOwnEachTime) {
+  const CommandLine line;
+  EXPECT_EQ(line.evbal("run morning.yaml --controller none --quiet").out, "runs/morning-2024-01-11-none-seed1\n");
+  EXPECT_EQ(line.evbal("run morning.yaml --controller none --quiet").out, "runs/morning-2024-01-11-none-seed1-2\n");
+}
+
+TEST(Run, PutsSeveralControllersSideBySide) {
+  const CommandLine line;
+  line.scenario("two.yaml", "");
+  std::string text = text_of(line.path() / "two.yaml");
+  text.replace(text.find("[nominal]"), 9, "[none, greedy]");
+  std::ofstream(line.path() / "two.yaml") << text;
+  const Ended ended = line.evbal("run two.yaml --out both");
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  EXPECT_EQ(line.summary("both/none", "controller"), "\"none\"");
+  EXPECT_EQ(line.summary("both/greedy", "controller"), "\"greedy\"");
+  EXPECT_TRUE(fs::exists(line.path() / "both" / "report.html"));
+  EXPECT_EQ(line.evbal("report both --out page.html").status, 0);
+  EXPECT_NE(text_of(line.path() / "page.html").find("\"label\":\"greedy\""), std::string::npos);
+}
+
+TEST(Run, GivesOneDigestOverEveryTransport) {
+  const CommandLine line;
+  ASSERT_EQ(line.evbal("run morning.yaml --out a").status, 0);
+  const Ended over_dds = line.evbal("run morning.yaml --transport dds --out b");
+  ASSERT_EQ(over_dds.status, 0) << over_dds.err;
+  ASSERT_EQ(line.evbal("run morning.yaml --transport dds --regions-per-process 3 --out c").status, 0);
+  ASSERT_EQ(line.evbal("run morning.yaml --seed 2 --out d").status, 0);
+  EXPECT_EQ(line.summary("b", "digest"), line.summary("a", "digest"));
+  EXPECT_EQ(line.summary("c", "digest"), line.summary("a", "digest"));
+  EXPECT_NE(line.summary("d", "digest"), line.summary("a", "digest"));
+  EXPECT_EQ(line.summary("b", "agents"), "5");
+  EXPECT_EQ(line.summary("c", "agents"), "2");
+}
+
+TEST(Run, IsPlayedByProcessesOfTheirOwnOverDds) {
+  const CommandLine line;
+  const pid_t launcher = start(line.path(), "run morning.yaml --transport dds --out a");
+  ASSERT_EQ(wait_for(launcher), 0) << text_of(line.path() / "err.txt");
+  const auto agents = writers(line.path() / "a", "reports");
+  const auto coordinator = writers(line.path() / "a", "plans");
+  const auto injector = writers(line.path() / "a", "injector");
+  EXPECT_EQ(agents.size(), 5);
+  EXPECT_EQ(writers(line.path() / "a", "departures"), agents);
+  EXPECT_EQ(coordinator.size(), 1);
+  EXPECT_EQ(injector.size(), 1);
+  std::set<std::int64_t> all = agents;
+  all.insert(coordinator.begin(), coordinator.end());
+  all.insert(injector.begin(), injector.end());
+  all.insert(launcher);
+  EXPECT_EQ(all.size(), 8);  // nobody is anybody else, and nobody is the launcher
+}
+
+TEST(Run, EndsItsProcessesOnCtrlC) {
+  const CommandLine line;
+  const pid_t launcher = start(line.path(), "run morning.yaml --transport dds --controller robust --out a");
+  const fs::path mark = line.path() / "a" / "INCOMPLETE";
+  for (int i = 0; i < 600 && text_of(mark).find("of 36 ticks") == std::string::npos; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  kill(launcher, SIGINT);
+  EXPECT_EQ(wait_for(launcher), 3) << text_of(line.path() / "err.txt");
+  EXPECT_NE(text_of(mark).find("of 36 ticks"), std::string::npos);
+  for (const auto& entry : fs::directory_iterator("/proc")) {
+    EXPECT_EQ(text_of(entry.path() / "cmdline").find(line.path().string()), std::string::npos) << entry.path();
+  }
+}
+
+TEST(Run, FailsWhatWasExpected) {
+  const CommandLine line;
+  line.scenario("high.yaml", "expect:\n  - {metric: served, at_least: 1000000}\n  - {metric: lost, at_least: 0}\n");
+  const Ended ended = line.evbal("run high.yaml --out a");
+  EXPECT_EQ(ended.status, 1);
+  EXPECT_NE(ended.err.find("served is"), std::string::npos) << ended.err;
+  EXPECT_EQ(ended.err.find("lost is"), std::string::npos) << ended.err;
+  EXPECT_TRUE(fs::exists(line.path() / "a" / "summary.json"));
+}
+
+}  // namespace
+}  // namespace evbal
