@@ -34,7 +34,7 @@ fs::path claim_folder(const Scenario& scenario) {
       scenario.name + "-" + scenario.world.day.date + controller + "-seed" + std::to_string(scenario.world.seed);
   fs::create_directories("runs");
   for (int number = 1;; ++number) {
-    const fs::path folder = fs::path("runs") / (number == 1 ? base : base + "-" + std::to_string(number));
+    fs::path folder = fs::path("runs") / (number == 1 ? base : base + "-" + std::to_string(number));
     if (fs::create_directory(folder)) {
       return folder;
     }

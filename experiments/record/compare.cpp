@@ -52,8 +52,7 @@ Difference compare_csv(const fs::path& recorded, const fs::path& replayed, const
       if (cell(was_cells, column) != cell(is_cells, column)) {
         const std::string place = row == 0 ? "header" : place_of(names, is_cells, clock);
         const std::string name = column < names.size() ? names[column] : "a further column";
-        return file + place + ": " + name + " is " + cell(was_cells, column) + ", the replay gives " +
-               cell(is_cells, column);
+        return file + place + ": " + disagreement(name, cell(was_cells, column), cell(is_cells, column));
       }
     }
   }
@@ -88,7 +87,7 @@ Difference compare_summaries(const fs::path& recorded, const fs::path& replayed)
       const std::string said = was_values.contains(key) ? was_values.at(key).dump() : "missing";
       return key == "/scenario_digest"
                  ? "scenario.resolved.yaml: is not the text that the run was made from (all ticks and regions agree)"
-                 : "summary.json: " + key.substr(1) + " is " + said + ", the replay gives " + value.dump();
+                 : "summary.json: " + disagreement(key.substr(1), said, value.dump());
     }
   }
   for (const auto& [key, value] : was_values.items()) {

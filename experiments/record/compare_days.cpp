@@ -77,7 +77,7 @@ std::optional<Difference> compare_rows(const std::string& table, const NamedRow&
   for (const auto& [name, value] : is) {
     const std::string said = value_of(was, name);
     if (said != value) {
-      return described(table, is, name + " is `" + said + "`, the replay gives `" + value + "`");
+      return described(table, is, disagreement(name, "`" + said + "`", "`" + value + "`"));
     }
   }
   return described(table, is, "the columns are not the same");
@@ -101,6 +101,10 @@ std::optional<Difference> compare_tables(SQLite::Database& recorded, SQLite::Dat
 }
 
 }  // namespace
+
+std::string disagreement(const std::string& name, const std::string& recorded, const std::string& replayed) {
+  return name + " is " + recorded + ", the replay gives " + replayed;
+}
 
 std::optional<std::string> compare_days(const std::filesystem::path& recorded, const std::filesystem::path& replayed) {
   try {

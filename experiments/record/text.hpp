@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <charconv>
 #include <filesystem>
 #include <string>
@@ -11,9 +12,9 @@ namespace evbal {
 /// The shortest decimal that reads back as the same number.
 template <class Number>
 requires std::is_arithmetic_v<Number> std::string shortest(Number value) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
-  return {text, end};
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  return {text.data(), end};
 }
 
 /// The parts of a line between separators.
