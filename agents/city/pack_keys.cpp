@@ -22,7 +22,7 @@ std::pair<double, double> read_range(const YamlValue& value, Read read) {
 }
 
 std::string read_date(const YamlValue& value) {
-  const std::string date = value.text();
+  std::string date = value.text();
   const bool shaped = date.size() == 10 && date[4] == '-' && date[7] == '-' &&
                       std::count_if(date.begin(), date.end(), [](char c) { return c >= '0' && c <= '9'; }) == 8;
   if (!shaped) {

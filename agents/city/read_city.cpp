@@ -110,6 +110,7 @@ Station read_station(const YamlValue& value, const std::vector<std::string>& reg
 
 std::vector<Station> read_stations(const YamlValue& value, const std::vector<Region>& regions) {
   std::vector<std::string> region_names;
+  region_names.reserve(regions.size());
   for (const auto& region : regions) {
     region_names.push_back(region.name);
   }

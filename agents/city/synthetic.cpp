@@ -145,6 +145,7 @@ DemandDay draw_day(const SyntheticOptions& options, const City& city, const std:
   DemandDay day{city.days[number], false, {}};
   const double level = options.trips_per_day * std::exp(kDaySpread * stream(options, Draw::day, 0, number).normal());
   std::vector<double> region_level;
+  region_level.reserve(city.regions.size());
   for (int i = 0; i < city.size(); ++i) {
     region_level.push_back(level * std::exp(kRegionSpread * stream(options, Draw::region_day, i, number).normal()));
   }

@@ -142,6 +142,7 @@ void add_regions(City& city, const std::vector<Zone>& zones, const MergedZones& 
   const auto regions = static_cast<int>(merged.names.size());
   const auto outlines = merged_outlines(zones, merged.region_of, regions, kOutlineTolerance);
   std::vector<LatLon> corners;
+  corners.reserve(outlines.size());
   for (const auto& outline : outlines) {
     corners.push_back(outline.front().front());
   }

@@ -10,7 +10,7 @@ namespace evbal {
 
 struct LineReader::Stream {
   struct Free {
-    void operator()(archive* opened) const { archive_read_free(opened); }
+    void operator()(archive* done) const { archive_read_free(done); }
   };
   std::unique_ptr<archive, Free> opened{archive_read_new()};
   std::array<char, 1 << 16> buffer{};

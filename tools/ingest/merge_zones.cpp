@@ -78,6 +78,7 @@ std::vector<int> north_to_south(const ZoneGraph& graph, const std::vector<int>& 
     rank[order[r]] = r;
   }
   std::vector<int> renumbered;
+  renumbered.reserve(part.size());
   for (const int p : part) {
     renumbered.push_back(rank[p]);
   }

@@ -52,6 +52,7 @@ std::vector<StationChoice> choose_stations(const Eigen::MatrixXd& km, const Eige
     served[nearest - chosen.begin()] += demand[i];
   }
   std::vector<StationChoice> choices;
+  choices.reserve(chosen.size());
   for (const int region : chosen) {
     choices.push_back({region, 1});
   }

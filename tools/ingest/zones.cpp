@@ -163,6 +163,7 @@ std::vector<std::vector<int>> neighbours_of(const std::vector<Zone>& zones) {
     }
   });
   std::vector<std::vector<int>> neighbours;
+  neighbours.reserve(found.size());
   for (const auto& set : found) {
     neighbours.emplace_back(set.begin(), set.end());
   }

@@ -12,7 +12,7 @@ namespace evbal {
 struct Corner {
   int lat = 0;
   int lon = 0;
-  auto operator<=>(const Corner&) const = default;
+  auto operator<=>(const Corner&) const = default;  // NOLINT(modernize-use-nullptr): a false alarm
 };
 
 LatLon point_of(Corner corner);
