@@ -4,6 +4,7 @@
 #include "experiments/replay_command.hpp"
 #include "experiments/report_command.hpp"
 #include "experiments/run_command.hpp"
+#include "tools/fit/fit_command.hpp"
 #include "tools/ingest/ingest_command.hpp"
 
 #include <CLI/CLI.hpp>
@@ -18,6 +19,7 @@ int main(int argc, char** argv) {
   evbal::add_report_command(app);
   evbal::add_replay_command(app);
   evbal::add_ingest_command(app);
+  evbal::add_fit_command(app);
   evbal::add_doctor_command(app);
   try {
     app.parse(argc, argv);

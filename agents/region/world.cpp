@@ -34,14 +34,22 @@ std::optional<fs::path> shipped_pack(const std::string& name) {
   return std::nullopt;
 }
 
-City read_pack(const YamlValue& value) {
-  const std::string given = value.text();
-  const fs::path path = fs::path(value.file()).parent_path() / given;
+/// The folder of a pack given by name or by path, the latter from `base`; none if there is neither.
+std::optional<fs::path> pack_folder(const std::string& given, const fs::path& base) {
   const auto shipped = given.find('/') == std::string::npos ? shipped_pack(given) : std::nullopt;
-  if (!shipped && !fs::is_directory(path)) {
-    throw value.error("city `" + given + "` is neither a shipped pack nor the folder " + path.string());
+  return shipped || !fs::is_directory(base / given) ? shipped : base / given;
+}
+
+std::string no_pack(const std::string& given) {
+  return "city `" + given + "` is neither a shipped pack nor a folder";
+}
+
+City read_pack(const YamlValue& value) {
+  const auto folder = pack_folder(value.text(), fs::path(value.file()).parent_path());
+  if (!folder) {
+    throw value.error(no_pack(value.text()));
   }
-  return read_city(shipped.value_or(path));
+  return read_city(*folder);
 }
 
 DemandDay read_day(const YamlValue& value, const City& city) {
@@ -216,6 +224,14 @@ std::string time_text(int minute_of_day) {
 }
 
 }  // namespace
+
+City find_city(const std::string& name) {
+  const auto folder = pack_folder(name, {});
+  if (!folder) {
+    throw bad_input(no_pack(name));
+  }
+  return read_city(*folder);
+}
 
 World read_world(YamlMap& scenario) {
   World world;

@@ -24,6 +24,9 @@ struct World {
   std::uint64_t seed = 0;
 };
 
+/// The city that a command line names: a shipped pack, else a folder. Throws Error{bad_input}.
+City find_city(const std::string& name);
+
 /// Reads the world's keys of a scenario: city, day, seed, demand, clock, fleet, charging, passengers, stations. `city`
 /// is the name of a shipped pack or a path, relative to the scenario's file; what is given under fleet, charging,
 /// passengers and stations replaces that field of the pack. Throws Error{bad_input} with file, line and reason.

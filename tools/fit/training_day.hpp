@@ -1,0 +1,27 @@
+#pragma once
+
+#include "agents/region/world.hpp"
+#include "coordinator/planning/city_model.hpp"
+#include "tools/fit/transition_counts.hpp"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace evbal {
+
+/// What the plant did on a day.
+struct TrainingDay {
+  Eigen::MatrixXd completions;                ///< N x steps: charging sessions that ended charged
+  std::vector<TransitionCounts> transitions;  ///< by period: that in which the step started
+  int served = 0;
+  int lost = 0;
+};
+
+/// The period that holds `minute` after midnight, of those that begin at `starts`, ascending; the first before that.
+std::size_t period_at(const std::vector<int>& starts, int minute);
+
+/// Plays the world's day in this process under `greedy`, which needs of `model` the demand and the mean session only.
+TrainingDay play_training_day(const World& world, const CityModel& model, const std::vector<int>& period_starts);
+
+}  // namespace evbal
