@@ -24,15 +24,17 @@ std::vector<bool> working_stations(const PlanningData& data) {
 }
 
 std::vector<Flow> nearest_shortage_first(const BalancingParameters& parameters, const PlanningData& data) {
-  // missing_i = r_hat_i - S_i, whole cars
+  // missing_i = min(1, sum S / sum r_hat) r_hat_i - S_i, whole cars: where there is not enough, everybody has a fair
+  // share
   const auto regions = data.km.rows();
-  const Eigen::VectorXd missing =
-      (data.demand.mean.head(regions).cwiseMax(0.0) - data.state.vacant - data.state.arriving_vacant.col(0))
-          .array()
-          .round();
+  const Eigen::VectorXd demand = data.demand.mean.head(regions).cwiseMax(0.0) + data.state.waiting;
+  const Eigen::VectorXd supply = data.state.vacant + data.state.arriving_vacant.col(0);
+  const double share = std::min(1.0, supply.sum() / std::max(1.0, demand.sum()));
+  const Eigen::VectorXd missing = (share * demand - supply).array().round();
   Eigen::VectorXd lacking = missing.cwiseMax(0.0);
   Eigen::VectorXd spare = (-missing).cwiseMax(0.0).cwiseMin(data.state.vacant.array().floor().matrix());
-  auto arcs = vacant_arcs(data.km, parameters.m1, parameters.neighbours);
+  // Only solvers need few arcs.
+  auto arcs = vacant_arcs(data.km, parameters.m1, static_cast<int>(regions));
   std::ranges::stable_sort(arcs, {}, &Arc::km);
   std::vector<Flow> flows;
   for (const auto& arc : arcs) {
