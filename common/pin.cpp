@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <string_view>
 
 namespace evbal {
@@ -19,7 +20,8 @@ void pin_arithmetic(char** argv) {
   for (const auto& [name, value] : pinned_environment) {
     setenv(name, value, 1);
   }
-  execv("/proc/self/exe", argv);
+  std::error_code no_proc;
+  execv(std::filesystem::read_symlink("/proc/self/exe", no_proc).c_str(), argv);
   // Without /proc the program goes on unpinned: right on this machine, perhaps not to the byte on another.
 }
 

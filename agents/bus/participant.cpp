@@ -4,7 +4,6 @@
 #include "common/error.hpp"
 
 #include <evbalPubSubTypes.h>
-#include <fastdds/dds/core/condition/WaitSet.hpp>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/dds/publisher/DataWriter.hpp>
@@ -143,17 +142,11 @@ struct Participant::Entities {
   dds::DomainParticipant* participant = nullptr;
   dds::Publisher* publisher = nullptr;
   dds::Subscriber* subscriber = nullptr;
-  dds::WaitSet news;
 
   Entities() = default;
   Entities(const Entities&) = delete;
   Entities& operator=(const Entities&) = delete;
   ~Entities() {
-    dds::ConditionSeq conditions;
-    news.get_conditions(conditions);
-    for (auto* condition : conditions) {
-      news.detach_condition(*condition);
-    }
     if (participant != nullptr) {
       participant->delete_contained_entities();
       dds::DomainParticipantFactory::get_instance()->delete_participant(participant);
@@ -186,11 +179,6 @@ Participant::Participant(const BusAddress& address, const std::string& name)
 }
 
 Participant::~Participant() = default;
-
-void Participant::wait(std::chrono::milliseconds at_most) {
-  dds::ConditionSeq active;
-  entities_->news.wait(active, Duration_t(static_cast<long double>(at_most.count()) / 1000.0L));
-}
 
 template <class Message>
 Writer<Message>::Writer(Participant& participant) : run_(participant.run()) {
@@ -231,9 +219,11 @@ Reader<Message>::Reader(Participant& participant) : run_(participant.run()) {
   }
   reader_ = made(entities.subscriber->create_datareader(entities.topic<Message>(), qos),
                  std::string("a reader of ") + Topic<Message>::name);
-  auto& condition = reader_->get_statuscondition();
-  condition.set_enabled_statuses(dds::StatusMask::data_available());
-  entities.news.attach_condition(condition);
+}
+
+template <class Message>
+void Reader<Message>::wait(std::chrono::milliseconds at_most) const {
+  reader_->wait_for_unread_message(Duration_t(static_cast<long double>(at_most.count()) / 1000.0L));
 }
 
 template <class Message>

@@ -39,9 +39,6 @@ class Participant {
   Participant(const Participant&) = delete;
   Participant& operator=(const Participant&) = delete;
 
-  /// Sleeps until a reader has something new or the time is up.
-  void wait(std::chrono::milliseconds at_most);
-
   const std::string& run() const { return run_; }
 
  private:
@@ -79,6 +76,9 @@ class Reader {
 
   /// All that has come since the last call, in the order of each writer.
   std::vector<Message> take();
+
+  /// Sleeps until there is something to take or the time is up.
+  void wait(std::chrono::milliseconds at_most) const;
 
   /// Writers that are connected now.
   int writers() const;

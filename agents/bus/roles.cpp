@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <thread>
 
 namespace evbal {
 namespace {
@@ -32,33 +33,33 @@ template <class Connected>
 void say_hello(Participant& participant, const std::string& name, Connected connected) {
   Writer<Hello> hello(participant);
   while (hello.readers() == 0 || !connected()) {
-    participant.wait(glance);
+    std::this_thread::sleep_for(glance);
   }
   hello.write({.name = name, .process_id = getpid()});
 }
 
 /// Waits for the newest tick after `last`.
-Tick next_tick(Participant& participant, Reader<Tick>& ticks, int last) {
+Tick next_tick(Reader<Tick>& ticks, int last) {
   for (;;) {
     auto come = ticks.take();
     if (!come.empty() && come.back().tick > last) {
       return std::move(come.back());
     }
-    participant.wait(nap);
+    ticks.wait(nap);
   }
 }
 
-Plan plan_of(Participant& participant, Reader<Plan>& plans, int tick) {
+Plan plan_of(Reader<Plan>& plans, int tick) {
   for (;;) {
     auto come = plans.take();
     if (!come.empty() && come.back().tick == tick) {
       return std::move(come.back());
     }
-    participant.wait(nap);
+    plans.wait(nap);
   }
 }
 
-std::vector<Report> reports_of(Participant& participant, Reader<std::vector<Report>>& reader, const Tick& tick) {
+std::vector<Report> reports_of(Reader<std::vector<Report>>& reader, const Tick& tick) {
   std::map<int, Report> found;
   const auto missing = [&](int region) { return !found.contains(region); };
   while (std::any_of(tick.due.begin(), tick.due.end(), missing)) {
@@ -70,7 +71,7 @@ std::vector<Report> reports_of(Participant& participant, Reader<std::vector<Repo
       }
     }
     if (std::any_of(tick.due.begin(), tick.due.end(), missing)) {
-      participant.wait(nap);
+      reader.wait(nap);
     }
   }
   std::vector<Report> reports;
@@ -94,7 +95,7 @@ void serve_agent(Participant& participant, const std::string& name, const std::v
            departure_writer.readers() > 0;
   });
   for (int last = -1;;) {
-    const Tick tick = next_tick(participant, ticks, last);
+    const Tick tick = next_tick(ticks, last);
     last = tick.tick;
     for (const auto& region : regions) {
       region.begin(tick);
@@ -102,7 +103,7 @@ void serve_agent(Participant& participant, const std::string& name, const std::v
     std::optional<Plan> plan;
     if (tick.plan_due) {
       report_writer.write(ask<Report>(regions, [](const auto& region) { return region.report(); }));
-      plan = plan_of(participant, plans, tick.tick);
+      plan = plan_of(plans, tick.tick);
     }
     departure_writer.write(
         ask<Departures>(regions, [&](const auto& region) { return region.live(plan ? &*plan : nullptr); }));
@@ -116,10 +117,10 @@ void serve_coordinator(Participant& participant, const std::string& name,
   Writer<Plan> plans(participant);
   say_hello(participant, name, [&] { return ticks.writers() > 0 && plans.readers() > 0; });
   for (int last = -1;;) {
-    const Tick tick = next_tick(participant, ticks, last);
+    const Tick tick = next_tick(ticks, last);
     last = tick.tick;
     if (tick.plan_due) {
-      const auto due = reports_of(participant, reports, tick);
+      const auto due = reports_of(reports, tick);
       plans.write(with_origin([&] { return make_plan(tick.tick, due); }));
     }
   }
@@ -130,7 +131,7 @@ void serve_injector(Participant& participant, const std::string& name,
   Reader<Tick> ticks(participant);
   Writer<Faults> writer(participant);
   say_hello(participant, name, [&] { return ticks.writers() > 0 && writer.readers() > 0; });
-  for (int tick = -1;; tick = next_tick(participant, ticks, tick).tick) {
+  for (int tick = -1;; tick = next_tick(ticks, tick).tick) {
     writer.write(with_origin([&] { return faults_of(tick + 1); }));
   }
 }

@@ -129,7 +129,9 @@ std::string DdsPlayers::host_of(int region) const {
   return "agent-" + std::to_string(region / run_.regions_per_process);
 }
 
-void DdsPlayers::await(const std::string& what, const std::function<std::set<std::string>()>& missing) {
+template <class Message>
+void DdsPlayers::await(const std::string& what, const Reader<Message>& reader,
+                       const std::function<std::set<std::string>()>& missing) {
   const auto deadline = Clock::now() + run_.patience;
   for (auto names = missing(); !names.empty(); names = missing()) {
     check_interrupt();
@@ -138,13 +140,13 @@ void DdsPlayers::await(const std::string& what, const std::function<std::set<std
       throw run_failed("no " + what + " from " + listed(names) + " within " + std::to_string(run_.patience.count()) +
                        " s");
     }
-    participant_->wait(50ms);
+    reader.wait(50ms);
   }
 }
 
 void DdsPlayers::await_hellos() {
   auto missing = names_;
-  await("hello", [&] {
+  await("hello", topics_->hello, [&] {
     for (const auto& hello : topics_->hello.take()) {
       missing.erase(hello.name);
     }
@@ -154,7 +156,7 @@ void DdsPlayers::await_hellos() {
 
 Faults DdsPlayers::faults(int tick) {
   std::optional<Faults> found;
-  await("faults of tick " + std::to_string(tick), [&]() -> std::set<std::string> {
+  await("faults of tick " + std::to_string(tick), topics_->faults, [&]() -> std::set<std::string> {
     for (auto& faults : topics_->faults.take()) {
       if (faults.tick == tick) {
         found = std::move(faults);
@@ -178,12 +180,12 @@ Exchange DdsPlayers::play(const Tick& tick) {
   Exchange exchange;
   if (tick.plan_due) {
     Collected<Report> reports(tick.tick, tick.due);
-    await("report" + of_tick, [&] {
+    await("report" + of_tick, topics_->reports, [&] {
       reports.add(topics_->reports.take());
       return hosts(reports.missing());
     });
     exchange.reports = reports.by_region();
-    await("plan" + of_tick, [&]() -> std::set<std::string> {
+    await("plan" + of_tick, topics_->plan, [&]() -> std::set<std::string> {
       for (auto& plan : topics_->plan.take()) {
         if (plan.tick == tick.tick) {
           exchange.plan = std::move(plan);
@@ -193,7 +195,7 @@ Exchange DdsPlayers::play(const Tick& tick) {
     });
   }
   Collected<Departures> departures(tick.tick, tick.due);
-  await("departures" + of_tick, [&] {
+  await("departures" + of_tick, topics_->departures, [&] {
     departures.add(topics_->departures.take());
     return hosts(departures.missing());
   });

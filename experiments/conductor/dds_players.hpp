@@ -48,8 +48,10 @@ class DdsPlayers : public Players {
   void await_hellos();
   std::string host_of(int region) const;
 
-  /// Waits until `missing`, which looks at the topics, gives no name any more.
-  void await(const std::string& what, const std::function<std::set<std::string>()>& missing);
+  /// Waits until `missing`, which takes from `reader`, gives no name any more.
+  template <class Message>
+  void await(const std::string& what, const Reader<Message>& reader,
+             const std::function<std::set<std::string>()>& missing);
 
   DdsRun run_;
   DomainLock domain_;
