@@ -16,6 +16,7 @@ PlanningData row_of_three() {
   data.state.vacant.setZero();
   data.state.low_battery.setZero();
   data.state.plugged.setZero();
+  data.state.waiting.setZero();
   data.state.arriving_vacant.setZero();
   data.state.arriving_low_battery.setZero();
   data.points << 1.0, 0.0, 1.0;
@@ -45,12 +46,22 @@ TEST(None, SendsOnlyLowBatteryCarsToTheNearestStation) {
 
 TEST(Greedy, ServesTheNearestShortageWithWhatCanBeSpared) {
   auto data = row_of_three();
-  data.state.vacant << 9.0, 0.0, 0.0;
-  data.demand.mean << 2.0, 4.0, 9.0;
-  data.state.arriving_vacant << 0.0, 1.0, 0.0;
+  data.state.vacant << 12.0, 0.0, 0.0;
+  data.demand.mean << 2.0, 3.0, 9.0;
+  data.state.waiting << 0.0, 1.0, 0.0;
+  data.state.arriving_vacant << 0.0, 1.0, 3.0;
   const auto flows = plan_greedy({}, data).vacant.front();
   EXPECT_EQ(amount(flows, 0, 1), 3.0);
-  EXPECT_EQ(amount(flows, 0, 2), 4.0);
+  EXPECT_EQ(amount(flows, 0, 2), 6.0);
+}
+
+TEST(Greedy, SharesWhatIsNotEnough) {
+  auto data = row_of_three();
+  data.state.vacant << 9.0, 0.0, 0.0;
+  data.demand.mean << 6.0, 6.0, 6.0;
+  const auto flows = plan_greedy({}, data).vacant.front();
+  EXPECT_EQ(amount(flows, 0, 1), 3.0);
+  EXPECT_EQ(amount(flows, 0, 2), 3.0);
 }
 
 TEST(Greedy, WeighsTravelAgainstTheQueue) {
