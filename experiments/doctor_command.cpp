@@ -61,7 +61,7 @@ std::set<std::string> libraries() {
   for (std::string line; std::getline(maps, line);) {
     const auto at = line.find('/');
     for (const char* part :
-         {"fastrtps", "fastcdr", "ipopt", "dmumps_seq", "openblas", "liblapack", "mrpt-math", "sqlite3"}) {
+         {"fastrtps", "fastcdr", "ipopt", "libClp", "dmumps_seq", "openblas", "liblapack", "mrpt-math", "sqlite3"}) {
       if (at != std::string::npos && line.find(part, at) != std::string::npos) {
         names.insert(fs::path(line.substr(at)).filename().string());
       }

@@ -1,5 +1,6 @@
 #include "coordinator/balancing/engine.hpp"
 
+#include "coordinator/balancing/cuts_engine.hpp"
 #include "coordinator/balancing/ipopt_engine.hpp"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ struct Engine {
   Solution (*solve)(const ConvexProgram&, const EngineSettings&);
 };
 
-constexpr std::array engines = {Engine{"ipopt", solve_with_ipopt}};
+constexpr std::array engines = {Engine{"ipopt", solve_with_ipopt}, Engine{"cuts", solve_with_cuts}};
 
 }  // namespace
 

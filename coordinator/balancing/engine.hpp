@@ -14,7 +14,7 @@ namespace evbal {
 /// speed.
 struct EngineSettings {
   std::string name = "ipopt";
-  int max_iterations = 300;  ///< of the engine's own kind
+  int max_iterations = 300;  ///< of the engine's own kind: Newton steps of `ipopt`, linear programs of `cuts`
 };
 
 struct Solution {

@@ -49,7 +49,7 @@ double lower_bound(const ConvexProgram& program, const Eigen::VectorXd& x) {
   LinearRelaxation relaxation(program);
   relaxation.add_tangents(x);
   const auto outcome = relaxation.solve(max_simplex_iterations);
-  return outcome.optimal ? outcome.objective : -ConvexProgram::infinity;
+  return outcome.optimal ? outcome.lower_bound : -ConvexProgram::infinity;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <coin/CoinPackedMatrix.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace evbal {
@@ -32,6 +33,32 @@ std::vector<double> clp_bounds(std::vector<double> bounds) {
   return bounds;
 }
 
+// New rows  coefficients'x >= low, added in one go.
+class Rows {
+ public:
+  void add(int column, double element) {
+    columns_.push_back(column);
+    elements_.push_back(element);
+  }
+
+  void end(double low) {
+    low_.push_back(low);
+    starts_.push_back(static_cast<CoinBigIndex>(columns_.size()));
+  }
+
+  void add_to(ClpSimplex& clp) const {
+    const std::vector<double> high(low_.size(), COIN_DBL_MAX);
+    clp.addRows(static_cast<int>(low_.size()), low_.data(), high.data(), starts_.data(), columns_.data(),
+                elements_.data());
+  }
+
+ private:
+  std::vector<double> low_;
+  std::vector<CoinBigIndex> starts_ = {0};
+  std::vector<int> columns_;
+  std::vector<double> elements_;
+};
+
 }  // namespace
 
 LinearRelaxation::LinearRelaxation(const ConvexProgram& program)
@@ -55,36 +82,66 @@ LinearRelaxation::LinearRelaxation(const ConvexProgram& program)
 LinearRelaxation::~LinearRelaxation() = default;
 
 void LinearRelaxation::add_tangents(const Eigen::VectorXd& x) {
+  Rows rows;
   // above >= f(x) + f'(x) (of - x)
   for (const auto& curve : program_.curves()) {
     const auto jet = curve.function->around(x(curve.of));
-    const std::vector<int> columns = {curve.above, curve.of};
-    const std::vector<double> elements = {1.0, -jet.slope};
-    clp_->addRow(2, columns.data(), elements.data(), jet.value - jet.slope * x(curve.of), COIN_DBL_MAX);
+    rows.add(curve.above, 1.0);
+    rows.add(curve.of, -jet.slope);
+    rows.end(jet.value - jet.slope * x(curve.of));
   }
   // t >= (Sigma z)' Z / || Sigma^(1/2) z ||
   int t = program_.variables();
   for (const auto& term : program_.norms()) {
     const Eigen::VectorXd z = values_of(term.variables, x);
     const double norm = term.norm(z);
-    Eigen::VectorXd slope = Eigen::VectorXd::Zero(z.size());
     if (norm > 0.0) {
-      slope = (term.deviation.array().square() * z.array()).matrix() + term.factors * (term.factors.transpose() * z);
-      slope /= -norm;
+      const Eigen::VectorXd slope =
+          ((term.deviation.array().square() * z.array()).matrix() + term.factors * (term.factors.transpose() * z)) /
+          norm;
+      for (Eigen::Index i = 0; i < z.size(); ++i) {
+        rows.add(term.variables[static_cast<std::size_t>(i)], -slope(i));
+      }
+      rows.add(t, 1.0);
+      rows.end(0.0);
     }
-    std::vector<int> columns = term.variables;
-    std::vector<double> elements(slope.begin(), slope.end());
-    columns.push_back(t++);
-    elements.push_back(1.0);
-    clp_->addRow(static_cast<int>(columns.size()), columns.data(), elements.data(), 0.0, COIN_DBL_MAX);
+    ++t;
   }
+  rows.add_to(*clp_);
+}
+
+// For any multipliers y of the rows,  cost'x = (cost - A'y)'x + y'(A x)  is at least what bounds and rows allow term by
+// term. At the optimum the reduced costs of variables without a bound are zero but for rounding; that rest is charged
+// as if those variables reached ten times the largest value of the optimum.
+double LinearRelaxation::lower_bound() const {
+  const int columns = clp_->numberColumns();
+  const int rows = clp_->numberRows();
+  const Eigen::Map<const Eigen::VectorXd> x(clp_->primalColumnSolution(), columns);
+  const double reach = 10.0 * std::max(1.0, x.cwiseAbs().maxCoeff());
+  const auto least = [reach](double price, double low, double high) {
+    return price * (price > 0.0 ? std::max(low, -reach) : std::min(high, reach));
+  };
+  double bound = program_.constant();
+  Eigen::VectorXd multiplier(rows);
+  for (int row = 0; row < rows; ++row) {
+    const double y = clp_->dualRowSolution()[row];
+    const double side = y > 0.0 ? clp_->rowLower()[row] : clp_->rowUpper()[row];
+    multiplier(row) = std::abs(side) < COIN_DBL_MAX ? y : 0.0;
+    bound += multiplier(row) == 0.0 ? 0.0 : y * side;
+  }
+  Eigen::VectorXd priced(columns);
+  clp_->matrix()->transposeTimes(multiplier.data(), priced.data());
+  for (int i = 0; i < columns; ++i) {
+    bound += least(clp_->objective()[i] - priced(i), clp_->columnLower()[i], clp_->columnUpper()[i]);
+  }
+  return bound;
 }
 
 LinearRelaxation::Outcome LinearRelaxation::solve(int max_iterations) {
   clp_->setMaximumIterations(clp_->numberIterations() + max_iterations);
   clp_->dual();
   return {.optimal = clp_->isProvenOptimal(),
-          .objective = clp_->objectiveValue() + program_.constant(),
+          .lower_bound = lower_bound(),
           .x = Eigen::Map<const Eigen::VectorXd>(clp_->primalColumnSolution(), program_.variables()),
           .iterations = clp_->numberIterations()};
 }

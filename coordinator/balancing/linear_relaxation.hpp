@@ -25,15 +25,17 @@ class LinearRelaxation {
 
   struct Outcome {
     bool optimal = false;
-    double objective = 0.0;
-    Eigen::VectorXd x;  ///< in the program's variables
-    int iterations = 0;
+    double lower_bound = 0.0;  ///< of the program's optimum: safe against the tolerances of the simplex method
+    Eigen::VectorXd x;         ///< in the program's variables
+    int iterations = 0;        ///< of the simplex method, in all solves
   };
 
   /// Solves what there is; again after more tangents, from where it stood.
   Outcome solve(int max_iterations);
 
  private:
+  double lower_bound() const;
+
   const ConvexProgram& program_;
   std::unique_ptr<ClpSimplex> clp_;
 };

@@ -23,10 +23,18 @@ double optimum(const std::string& controller, const PlanningData& data, const Ba
   return certificate.objective;
 }
 
-TEST(Controllers, FindACertifiedOptimum) {
+class EveryEngine : public ::testing::TestWithParam<std::string> {
+ protected:
+  EngineSettings engine() const { return {.name = GetParam()}; }
+};
+
+INSTANTIATE_TEST_SUITE_P(Controllers, EveryEngine, ::testing::ValuesIn(engine_names()),
+                         [](const auto& tested) { return tested.param; });
+
+TEST_P(EveryEngine, FindsACertifiedOptimum) {
   for (const auto& controller : solving) {
     for (const int tau : {1, 2, 4}) {
-      const auto result = balance(controller, {}, random_planning_data(1, {.regions = 8, .tau = tau}), {});
+      const auto result = balance(controller, {}, random_planning_data(1, {.regions = 8, .tau = tau}), engine());
       EXPECT_TRUE(result.certificate.optimal) << result.certificate.why_not;
       EXPECT_LT(result.certificate.max_violation, 1e-6);
       EXPECT_LT(std::abs(result.certificate.gap), 1e-6);
@@ -37,7 +45,7 @@ TEST(Controllers, FindACertifiedOptimum) {
   }
 }
 
-TEST(Controllers, StayFeasibleInExtremes) {
+TEST_P(EveryEngine, StaysFeasibleInExtremes) {
   const DataShape shape{.regions = 6, .tau = 3};
   const std::vector<std::pair<std::string, std::function<void(PlanningData&)>>> extremes = {
       {"demand x 10", [](PlanningData& d) { d.demand.mean *= 10.0; }},
@@ -70,7 +78,7 @@ TEST(Controllers, StayFeasibleInExtremes) {
     auto data = random_planning_data(5, shape);
     spoil(data);
     for (const auto& controller : controller_names()) {
-      const auto certificate = balance(controller, {}, data, {}).certificate;
+      const auto certificate = balance(controller, {}, data, engine()).certificate;
       EXPECT_TRUE(certificate.optimal) << what << ", " << controller << ": " << certificate.why_not;
     }
   }
@@ -239,10 +247,10 @@ TEST(Controllers, SayWhyASolveFailed) {
   EXPECT_TRUE(result.dispatch.vacant.empty());
 }
 
-TEST(Controllers, SolveTheSameTwice) {
+TEST_P(EveryEngine, SolvesTheSameTwice) {
   const auto data = random_planning_data(4, {.regions = 10});
-  const auto once = balance("robust", {}, data, {});
-  const auto twice = balance("robust", {}, data, {});
+  const auto once = balance("robust", {}, data, engine());
+  const auto twice = balance("robust", {}, data, engine());
   EXPECT_EQ(once.certificate.objective, twice.certificate.objective);
   EXPECT_EQ(once.certificate.lower_bound, twice.certificate.lower_bound);
 }
