@@ -16,6 +16,7 @@ enum class Purpose : std::uint32_t {
   fault = 6,            ///< times, targets and magnitudes of a fault schedule
   bootstrap = 7,        ///< resampling of residuals
   synthetic_city = 8,   ///< generated cities
+  demand_sample = 9,    ///< samples of the demand that a controller plans for
 };
 
 /// The place of a draw: who draws, when, and for which of several like things.
