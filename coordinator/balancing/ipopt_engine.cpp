@@ -14,11 +14,11 @@ namespace {
 
 // Measured on this problem: Mehrotra's predictor-corrector takes about half the iterations of the default, and the
 // fill-in of MUMPS's approximate minimum fill (2) is the least of its orderings.
-void configure(Ipopt::IpoptApplication& application, const EngineSettings& settings) {
+void configure(Ipopt::IpoptApplication& application, int max_iterations) {
   auto& options = *application.Options();
   options.SetStringValue("sb", "yes");
   options.SetIntegerValue("print_level", 0);
-  options.SetStringValue("mehrotra_algorithm", "yes");
+  options.SetStringValue("mu_strategy", "adaptive");
   options.SetStringValue("linear_solver", "mumps");
   options.SetIntegerValue("mumps_pivot_order", 2);
   options.SetNumericValue("mumps_pivtol", 1e-2);  // at the default 1e-6 one solve in a hundred never settles
@@ -28,7 +28,37 @@ void configure(Ipopt::IpoptApplication& application, const EngineSettings& setti
   options.SetNumericValue("dual_inf_tol", 1e-7);
   options.SetNumericValue("compl_inf_tol", 1e-7);
   options.SetIntegerValue("acceptable_iter", 0);  // only the full tolerance counts
-  options.SetIntegerValue("max_iter", settings.max_iterations);
+  options.SetIntegerValue("max_iter", max_iterations);
+}
+
+struct Attempt {
+  Ipopt::ApplicationReturnStatus status = Ipopt::Internal_Error;
+  Eigen::VectorXd x;
+  int iterations = 0;
+};
+
+Attempt attempt(const ConvexProgram& program, const char* mehrotra, int max_iterations) {
+  Ipopt::SmartPtr<IpoptNlp> nlp = new IpoptNlp(program);
+  Ipopt::SmartPtr<Ipopt::IpoptApplication> application = IpoptApplicationFactory();
+  configure(*application, max_iterations);
+  application->Options()->SetStringValue("mehrotra_algorithm", mehrotra);
+  application->Initialize("");
+  const auto status = application->OptimizeTNLP(nlp);
+  const int iterations = IsValid(application->Statistics()) ? application->Statistics()->IterationCount() : 0;
+  return {status, nlp->point(), iterations};
+}
+
+// Mehrotra's method has no line search and may run away where a curve bends sharply; the method that has one then
+// spends what is left of the iterations.
+Attempt safeguarded(const ConvexProgram& program, int max_iterations) {
+  Attempt first = attempt(program, "yes", max_iterations);
+  const int left = max_iterations - first.iterations;
+  if (first.status == Ipopt::Solve_Succeeded || left <= 0) {
+    return first;
+  }
+  Attempt second = attempt(program, "no", left);
+  second.iterations += first.iterations;
+  return second;
 }
 
 std::string reason(Ipopt::ApplicationReturnStatus status, int iterations) {
@@ -55,21 +85,15 @@ double lower_bound(const ConvexProgram& program, const Eigen::VectorXd& x) {
 }  // namespace
 
 Solution solve_with_ipopt(const ConvexProgram& program, const EngineSettings& settings) {
-  Ipopt::SmartPtr<IpoptNlp> nlp = new IpoptNlp(program);
-  Ipopt::SmartPtr<Ipopt::IpoptApplication> application = IpoptApplicationFactory();
-  configure(*application, settings);
-  application->Initialize("");
-  const auto status = application->OptimizeTNLP(nlp);
-
-  const int iterations = IsValid(application->Statistics()) ? application->Statistics()->IterationCount() : 0;
+  const Attempt found = safeguarded(program, settings.max_iterations);
   Solution solution;
-  if (status == Ipopt::Solve_Succeeded) {
-    solution.x = cleaned(program, nlp->point());
+  if (found.status == Ipopt::Solve_Succeeded) {
+    solution.x = cleaned(program, found.x);
     solution.certificate = certify(program, solution.x, lower_bound(program, solution.x));
   } else {
-    solution.certificate = refusal(reason(status, iterations));
+    solution.certificate = refusal(reason(found.status, found.iterations));
   }
-  solution.certificate.iterations = iterations;
+  solution.certificate.iterations = found.iterations;
   return solution;
 }
 
