@@ -1,5 +1,7 @@
 #include "coordinator/balancing/beliefs.hpp"
 
+#include "coordinator/balancing/dropoffs.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,22 +15,70 @@ Eigen::MatrixXd shifted(const MomentSet& set, double radii, Eigen::Index regions
 }
 
 double radius(const MomentSet& set, Belief belief) {
-  return belief == Belief::mean ? 0.0 : std::sqrt(std::min(set.g1, set.g2));
+  return belief == Belief::worst_case ? std::sqrt(std::min(set.g1, set.g2)) : 0.0;
+}
+
+double at_lead(const std::vector<double>& values, Eigen::Index lead) {
+  return values[std::min(static_cast<std::size_t>(lead), values.size() - 1)];
+}
+
+// Laws of the demand in both sides of the band.
+void add_band_demand(const PlanningData& data, Belief belief, Beliefs& beliefs) {
+  const double spread = radius(data.demand, belief);
+  const auto regions = data.km.rows();
+  const Eigen::VectorXd high = shifted(data.demand, spread, regions).reshaped();
+  const Eigen::VectorXd low = shifted(data.demand, -spread, regions).reshaped();
+  for (Eigen::Index entry = 0; entry < high.size(); ++entry) {
+    if (belief == Belief::samples) {
+      const Eigen::VectorXd drawn = data.demand_samples.row(entry).cwiseMax(0.0);
+      beliefs.shortage.push_back(empirical({drawn.begin(), drawn.end()}));
+      beliefs.surplus.push_back(beliefs.shortage.back());
+    } else {
+      beliefs.shortage.push_back(certain(high(entry)));
+      beliefs.surplus.push_back(certain(low(entry)));
+    }
+  }
+}
+
+// Laws of the passengers who want to be served, around `demand`, N x tau.
+std::vector<DiscreteLaw> count_laws(const BalancingParameters& parameters, const Eigen::MatrixXd& demand,
+                                    Belief belief) {
+  std::vector<DiscreteLaw> laws;
+  for (Eigen::Index k = 0; k < demand.cols(); ++k) {
+    const double linear = at_lead(parameters.variance_linear, k);
+    const double quadratic = at_lead(parameters.variance_quadratic, k);
+    for (const double m : demand.col(k)) {
+      laws.push_back(belief == Belief::mean ? certain(m) : negative_binomial(m, linear * m + quadratic * m * m));
+    }
+  }
+  return laws;
 }
 
 }  // namespace
 
-Beliefs beliefs(const PlanningData& data, const Switches& switches) {
+const MomentSet& supply_of(const BalancingParameters& parameters, const PlanningData& data) {
+  return parameters.supply == Supply::completions ? data.completions : data.free_points;
+}
+
+Beliefs beliefs(const BalancingParameters& parameters, const PlanningData& data, const Switches& switches) {
   const auto regions = data.km.rows();
-  const double demand_radius = radius(data.demand, switches.demand);
-  const double supply_radius = radius(data.completions, switches.supply);
-  const Eigen::MatrixXd capacity = data.points * (data.step_minutes / data.mean_session_minutes);
-  return {.r_hat = shifted(data.demand, 0.0, regions),
-          .r_hi = shifted(data.demand, demand_radius, regions),
-          .r_lo = shifted(data.demand, -demand_radius, regions),
-          .c_hat = shifted(data.completions, 0.0, regions).cwiseMin(capacity),
-          .c_low = shifted(data.completions, -supply_radius, regions),
-          .supply_radius = supply_radius};
+  const double per_step =
+      parameters.supply == Supply::completions ? data.step_minutes / data.mean_session_minutes : 1.0;
+  Beliefs beliefs;
+  beliefs.r_hat = shifted(data.demand, 0.0, regions);
+  beliefs.c_hat = shifted(supply_of(parameters, data), 0.0, regions).cwiseMin(per_step * data.points);
+  beliefs.c_low = shifted(data.completions, -radius(data.completions, switches.supply), regions);
+  beliefs.supply_radius = radius(supply_of(parameters, data), switches.supply);
+  beliefs.serving_again = Eigen::MatrixXd::Zero(regions, data.points.cols());
+  if (switches.shortage == Shortage::band) {
+    add_band_demand(data, switches.demand, beliefs);
+  } else if (switches.shortage == Shortage::turnover) {
+    const Eigen::MatrixXd demand = demand_with_waiting(data);
+    const Eigen::MatrixXd vacant = vacant_without_dispatch(data, beliefs.c_low);
+    beliefs.serving_again = serving_again(data, parameters.phi, dropoffs(data, demand, vacant));
+    beliefs.shortage = count_laws(parameters, demand, switches.demand);
+  }
+  return beliefs;
 }
 
 Eigen::MatrixXd vacant_without_dispatch(const PlanningData& data, const Eigen::MatrixXd& c_low) {

@@ -1,35 +1,54 @@
 #pragma once
 
+#include "coordinator/balancing/discrete_law.hpp"
 #include "coordinator/balancing/problem.hpp"
 
 #include <Eigen/Core>
 
+#include <vector>
+
 namespace evbal {
+
+/// How too few (and too many) vehicles in a region are priced (model, sections 3 and 4).
+enum class Shortage {
+  band,      ///< vehicles missing below the band and in excess above it, in expectation
+  moments,   ///< the same, in the worst expectation over the ambiguity set
+  ratio,     ///< expected passengers per vehicle
+  turnover,  ///< passengers for whom neither a vehicle nor one that drops off in time is there, in expectation
+};
 
 /// What a controller takes an uncertain quantity to be.
 enum class Belief {
   mean,        ///< the forecast
   worst_case,  ///< the worst mean of the ambiguity set
+  samples,     ///< one of the samples (demand only)
+  counts,      ///< negative binomial around the forecast (demand only)
 };
 
 /// How the controllers of one problem differ (model, section 4).
 struct Switches {
+  Shortage shortage = Shortage::band;
   Belief demand = Belief::mean;
   Belief supply = Belief::mean;
 };
 
-/// Forecasts as the balancing problem uses them; matrices are N x tau.
+/// Forecasts as the balancing problem uses them; matrices are N x tau, laws stand step-major.
 struct Beliefs {
-  Eigen::MatrixXd r_hat;       ///< expected demand, >= 0
-  Eigen::MatrixXd r_hi;        ///< demand in the shortage
-  Eigen::MatrixXd r_lo;        ///< demand in the surplus
-  Eigen::MatrixXd c_hat;       ///< completions in J_E: within [0, P Delta / mean session]
-  Eigen::MatrixXd c_low;       ///< completions that releases count on, >= 0
-  double supply_radius = 0.0;  ///< sqrt(g) in front of J_E's norm; 0: no norm
+  Eigen::MatrixXd r_hat;              ///< expected demand, >= 0
+  std::vector<DiscreteLaw> shortage;  ///< demand in the shortage
+  std::vector<DiscreteLaw> surplus;   ///< demand in the surplus
+  Eigen::MatrixXd serving_again;      ///< vehicles beside S that serve in the step; zero unless drop-offs count
+  Eigen::MatrixXd c_hat;              ///< supply of charging in J_E, within what the points allow
+  Eigen::MatrixXd c_low;              ///< completions that releases count on, >= 0
+  double supply_radius = 0.0;         ///< sqrt(g) in front of J_E's norm; 0: no norm
 };
 
-/// Reads the switches (model, section 3): with  g = min(g1, g2)  the worst mean of one entry is  mean +- sqrt(g) sigma.
-Beliefs beliefs(const PlanningData& data, const Switches& switches);
+/// The supply of charging that `parameters` choose.
+const MomentSet& supply_of(const BalancingParameters& parameters, const PlanningData& data);
+
+/// Reads the switches (model, sections 3 and 4): with  g = min(g1, g2)  the worst mean of one entry is
+/// mean +- sqrt(g) sigma.  Laws are left out where `Shortage` has no use for them.
+Beliefs beliefs(const BalancingParameters& parameters, const PlanningData& data, const Switches& switches);
 
 /// Vacant vehicles at the start of each step if nobody is sent anywhere, N x tau; the dynamics of model, section 2.
 Eigen::MatrixXd vacant_without_dispatch(const PlanningData& data, const Eigen::MatrixXd& c_low);

@@ -20,9 +20,9 @@ struct Controller {
 };
 
 // The balancing problem with one setting of its switches.
-template <Belief demand, Belief supply>
+template <Switches switches>
 BalancingResult optimum(const BalancingParameters& parameters, const PlanningData& data, const EngineSettings& engine) {
-  const Formulation formulation = formulate(parameters, data, {.demand = demand, .supply = supply});
+  const Formulation formulation = formulate(parameters, data, switches);
   const Solution solution = solve(formulation.program, engine);
   if (!solution.certificate.optimal) {
     return {.dispatch = {}, .certificate = solution.certificate};
@@ -50,8 +50,14 @@ BalancingResult greedy(const BalancingParameters& parameters, const PlanningData
 constexpr std::array controllers = {
     Controller{"none", none},
     Controller{"greedy", greedy},
-    Controller{"nominal", optimum<Belief::mean, Belief::mean>},
-    Controller{"robust", optimum<Belief::worst_case, Belief::worst_case>},
+    Controller{"nominal", optimum<Switches{Shortage::band, Belief::mean, Belief::mean}>},
+    Controller{"demand-robust", optimum<Switches{Shortage::band, Belief::worst_case, Belief::mean}>},
+    Controller{"robust", optimum<Switches{Shortage::band, Belief::worst_case, Belief::worst_case}>},
+    Controller{"moment", optimum<Switches{Shortage::moments, Belief::worst_case, Belief::worst_case}>},
+    Controller{"scenario", optimum<Switches{Shortage::band, Belief::samples, Belief::mean}>},
+    Controller{"ratio", optimum<Switches{Shortage::ratio, Belief::mean, Belief::mean}>},
+    Controller{"turnover", optimum<Switches{Shortage::turnover, Belief::counts, Belief::mean}>},
+    Controller{"oracle", optimum<Switches{Shortage::turnover, Belief::mean, Belief::mean}>},
 };
 
 }  // namespace

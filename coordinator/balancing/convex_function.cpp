@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 namespace evbal {
 namespace {
@@ -21,10 +22,29 @@ class InversePower final : public ConvexFunction {
   double a_;
 };
 
+class OfLine final : public ConvexFunction {
+ public:
+  OfLine(ConvexFunctionPtr f, double slope, double offset) : f_(std::move(f)), slope_(slope), offset_(offset) {}
+
+  Jet around(double at) const override {
+    const Jet jet = f_->around(slope_ * at + offset_);
+    return {.value = jet.value, .slope = slope_ * jet.slope, .curvature = slope_ * slope_ * jet.curvature};
+  }
+
+ private:
+  ConvexFunctionPtr f_;
+  double slope_;
+  double offset_;
+};
+
 }  // namespace
 
 ConvexFunctionPtr inverse_power(double eps, double a) {
   return std::make_shared<InversePower>(eps, a);
+}
+
+ConvexFunctionPtr of_line(ConvexFunctionPtr f, double slope, double offset) {
+  return std::make_shared<OfLine>(std::move(f), slope, offset);
 }
 
 }  // namespace evbal

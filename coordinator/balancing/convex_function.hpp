@@ -27,4 +27,7 @@ using ConvexFunctionPtr = std::shared_ptr<const ConvexFunction>;
 /// y -> (y + eps)^(-a) for y >= 0 (model, section 2; paper, [quality_charging_one]); a > 0, eps > 0.
 ConvexFunctionPtr inverse_power(double eps, double a);
 
+/// x -> f(slope x + offset)
+ConvexFunctionPtr of_line(ConvexFunctionPtr f, double slope, double offset);
+
 }  // namespace evbal

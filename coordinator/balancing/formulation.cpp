@@ -1,5 +1,7 @@
 #include "coordinator/balancing/formulation.hpp"
 
+#include "coordinator/balancing/shortage_terms.hpp"
+
 #include <cassert>
 #include <cmath>
 #include <string>
@@ -8,7 +10,6 @@
 namespace evbal {
 namespace {
 
-using Variables = std::vector<Variable>;
 using Expressions = std::vector<Expression>;
 
 Expressions constants(const Eigen::VectorXd& values) {
@@ -17,12 +18,6 @@ Expressions constants(const Eigen::VectorXd& values) {
 
 bool is_zero(const Expression& expression) {
   return expression.terms().empty() && expression.constant() <= 0.0;
-}
-
-// "S2" for S at the second step.
-std::string label(std::string name, int k) {
-  name += std::to_string(k + 1);
-  return name;
 }
 
 // Vehicles at the start of a step.
@@ -40,8 +35,8 @@ class Formulator {
   Formulator(const BalancingParameters& parameters, const PlanningData& data, const Switches& switches)
       : p_(parameters),
         data_(data),
-        beliefs_(beliefs(data, switches)),
-        rho_(demand_per_vehicle(data, beliefs_)),
+        beliefs_(beliefs(parameters, data, switches)),
+        shortage_(parameters, data, switches.shortage, beliefs_, program_),
         size_(static_cast<int>(data.km.rows())),
         horizon_(static_cast<int>(data.points.cols())) {
     for (int i = 0; i < size_; ++i) {
@@ -59,7 +54,7 @@ class Formulator {
       step.S = send("x", "S", k, vacant_arcs_, stock.V, 1.0, result_.vacant);
       step.Y = send("y", "Y", k, low_battery_arcs_, stock.L, p_.beta, result_.low_battery);
       charge(k, stock, step);
-      band(k, step);
+      shortage_.add(k, step.S);
       utilisation(k, step);
       if (k + 1 < horizon_) {
         stock = next(k, stock, step);
@@ -129,20 +124,6 @@ class Formulator {
     }
   }
 
-  // p_s max(0, r_hi - h S_i) + p_o max(0, l S_i - r_lo),      h, l = rho_k (1 +- eta)
-  void band(int k, const Step& step) {
-    const double h = rho_(k) * (1.0 + p_.eta);
-    const double l = rho_(k) * (1.0 - p_.eta);
-    const Variables shortage = block("shortage", k);
-    const Variables surplus = block("surplus", k);
-    for (int i = 0; i < size_; ++i) {
-      const Expression S = step.S[at(i)];
-      program_.at_most(beliefs_.r_hi(i, k) - h * S, shortage[at(i)]);
-      program_.at_most(l * S - beliefs_.r_lo(i, k), surplus[at(i)]);
-      program_.minimise(p_.p_shortage * Expression(shortage[at(i)]) + p_.p_surplus * Expression(surplus[at(i)]));
-    }
-  }
-
   // theta c_hat_i Z_i,    Z_i >= (Y_i + eps)^(-a),    theta = theta_0 / a,    where points work
   void utilisation(int k, const Step& step) {
     const double theta = p_.theta_0 / p_.a;
@@ -152,11 +133,7 @@ class Formulator {
       if (theta == 0.0 || data_.points(i, k) <= 0.0 || (c_hat == 0.0 && beliefs_.supply_radius == 0.0)) {
         continue;
       }
-      const Variable Z = program_.add_block(label("Z", k), 1).front();
-      program_.bound(step.Y[at(i)], 0.0, ConvexProgram::infinity);
-      program_.at_least_curve(Z, step.Y[at(i)], power);
-      program_.minimise(theta * c_hat * Expression(Z));
-      utilised_.push_back({k * size_ + i, Z});
+      utilised_.push_back({k * size_ + i, program_.minimise_curve(label("Z", k), theta * c_hat, step.Y[at(i)], power)});
     }
   }
 
@@ -166,7 +143,7 @@ class Formulator {
     if (weight == 0.0 || utilised_.empty()) {
       return;
     }
-    const auto& set = data_.completions;
+    const auto& set = supply_of(p_, data_);
     const auto count = static_cast<Eigen::Index>(utilised_.size());
     NormTerm norm{weight, {}, Eigen::VectorXd(count), Eigen::MatrixXd(count, set.factors.cols())};
     for (Eigen::Index n = 0; n < count; ++n) {
@@ -217,16 +194,16 @@ class Formulator {
 
   const BalancingParameters& p_;
   const PlanningData& data_;
+  Formulation result_;
+  ConvexProgram& program_ = result_.program;
   Beliefs beliefs_;
-  Eigen::VectorXd rho_;
+  ShortageTerms shortage_;
   int size_;
   int horizon_;
   std::vector<bool> station_;  // C: points work at some step of the horizon
   std::vector<Arc> vacant_arcs_;
   std::vector<Arc> low_battery_arcs_;
   std::vector<Utilised> utilised_;
-  Formulation result_;
-  ConvexProgram& program_ = result_.program;
 };
 
 std::vector<std::vector<Flow>> flows_at(const std::vector<std::vector<ArcFlow>>& steps, const Eigen::VectorXd& x) {

@@ -9,7 +9,13 @@
 
 namespace evbal {
 
-/// Prices and bounds of the balancing problem (model, section 2), tuned on tuning seeds only.
+/// What J_E takes the supply of charging to be (model, section 4).
+enum class Supply {
+  completions,  ///< charging sessions that end in the step, as the paper
+  points,       ///< points free by the step's end: those free now, and plugged cars that finish
+};
+
+/// Prices and bounds of the balancing problem (model, sections 2 and 4), tuned on tuning seeds only.
 struct BalancingParameters {
   double a = 0.1;            ///< power of the utilisation term J_E; smaller equalises more
   double theta_0 = 20.0;     ///< weight of J_E is theta_0 / a
@@ -19,11 +25,18 @@ struct BalancingParameters {
   double pi_e = 20.0;        ///< km per charged car kept plugged in for a step
   double p_shortage = 12.0;  ///< km per vehicle missing below the band
   double p_surplus = 3.0;    ///< km per vehicle above the band
+  double p_ratio = 30.0;     ///< km per expected passenger that each vehicle has to serve (ratio only)
   double eta = 0.2;          ///< half-width of the band around the city's demand-supply ratio
   double m1 = 10.0;          ///< km; vacant cars are sent to regions nearer than this
   double m2 = 15.0;          ///< km; low-battery cars likewise
   int neighbours = 12;       ///< at most so many nearest targets a region, beside its nearest region and station
   int tau = 2;               ///< steps in the horizon
+  double phi = 0.6;          ///< share of drop-offs that serve again in the same step (turnover, oracle)
+  /// Variance of demand around its forecast m, per lead, the last one for all further leads (turnover):
+  /// linear m + quadratic m^2.
+  std::vector<double> variance_linear = {1.36, 1.58};
+  std::vector<double> variance_quadratic = {0.014, 0.018};
+  Supply supply = Supply::completions;
 };
 
 /// Vehicles as they stand when a plan is made; all N, in vehicles.
@@ -35,6 +48,7 @@ struct FleetState {
   Eigen::VectorXd waiting;               ///< passengers waiting now
   Eigen::MatrixXd arriving_vacant;       ///< aV, N x tau: column k is added to V at the end of step k
   Eigen::MatrixXd arriving_low_battery;  ///< aL, N x tau: column k is added to L at the end of step k
+  Eigen::MatrixXd dropoffs_due;          ///< N x tau: of the occupied cars, those that arrive in step k
 };
 
 /// Row-stochastic transitions of one step (model, section 2): entry (j, i) is the share of the vehicles of j that
@@ -53,8 +67,11 @@ struct PlanningData {
   FleetState state;
   Eigen::MatrixXd points;                ///< P, N x tau: working points per step
   MomentSet demand;                      ///< r
-  MomentSet completions;                 ///< c
+  Eigen::MatrixXd demand_samples;        ///< N tau x at least one: demand as it may come, each column equally likely
+  MomentSet completions;                 ///< c, sessions that end in each step
+  MomentSet free_points;                 ///< c of Supply::points, free by the end of each step
   std::vector<Transitions> transitions;  ///< tau of them
+  Eigen::MatrixXd same_step_dropoffs;    ///< D, N x N: share of the trips from j that end at i within the step
   double step_minutes = 30.0;            ///< Delta
   double mean_session_minutes = 45.0;    ///< caps J_E's c_hat at P Delta / mean session
   Eigen::MatrixXd minutes;               ///< N x N travel time (greedy only)

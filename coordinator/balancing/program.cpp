@@ -56,15 +56,20 @@ Expression operator*(double factor, const Expression& expression) {
   return Expression().add(factor, expression);
 }
 
+std::string label(std::string name, int k) {
+  name += std::to_string(k + 1);
+  return name;
+}
+
 double NormTerm::norm(const Eigen::VectorXd& z) const {
   return std::sqrt((deviation.array() * z.array()).square().sum() + (factors.transpose() * z).squaredNorm());
 }
 
-std::vector<Variable> ConvexProgram::add_block(const std::string& name, int size, double lower, double upper) {
+Variables ConvexProgram::add_block(const std::string& name, int size, double lower, double upper) {
   assert(size >= 0 && lower <= upper);
   const int first = variables();
   blocks_.push_back({name, first, size});
-  std::vector<Variable> block;
+  Variables block;
   for (int i = 0; i < size; ++i) {
     block.push_back({first + i});
     lower_.push_back(lower);
@@ -115,6 +120,14 @@ void ConvexProgram::add_cost(const Expression& cost) {
 
 void ConvexProgram::minimise(const Expression& cost) {
   add_cost(cost);
+}
+
+Variable ConvexProgram::minimise_curve(const std::string& name, double price, Variable of, ConvexFunctionPtr function) {
+  const Variable value = add_block(name, 1).front();
+  bound(of, 0.0, infinity);
+  at_least_curve(value, of, std::move(function));
+  minimise(price * Expression(value));
+  return value;
 }
 
 void ConvexProgram::penalise(const Expression& cost) {

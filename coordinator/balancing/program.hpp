@@ -15,6 +15,8 @@ struct Variable {
   int index = 0;
 };
 
+using Variables = std::vector<Variable>;
+
 /// constant + sum of coefficient * variable. Written like the equations of the model.
 class Expression {
  public:
@@ -62,6 +64,9 @@ struct CurveRow {
   ConvexFunctionPtr function;
 };
 
+/// "S2" for the block S of the second step (k = 1).
+std::string label(std::string name, int k);
+
 /// A convex program, for whichever engine:
 ///
 ///     min  constant + cost'x + sum of norms    s.t.  low <= A x <= high,  lower <= x <= upper,  curve rows
@@ -78,7 +83,7 @@ class ConvexProgram {
   };
 
   /// `size` new variables within [lower, upper]; the name serves messages.
-  std::vector<Variable> add_block(const std::string& name, int size, double lower = 0.0, double upper = infinity);
+  Variables add_block(const std::string& name, int size, double lower = 0.0, double upper = infinity);
 
   /// Tightens the bounds of a variable.
   void bound(Variable variable, double lower, double upper);
@@ -90,6 +95,9 @@ class ConvexProgram {
   void at_least_curve(Variable above, Variable of, ConvexFunctionPtr function);
 
   void minimise(const Expression& cost);
+
+  /// Adds  price * function(of)  over  of >= 0  to the cost; gives the variable that stands for the function's value.
+  Variable minimise_curve(const std::string& name, double price, Variable of, ConvexFunctionPtr function);
 
   /// Cost that keeps the program feasible; left out of the scale of a relative gap.
   void penalise(const Expression& cost);

@@ -48,20 +48,22 @@ class Complaint {
 
 constexpr double most = std::numeric_limits<double>::max();
 constexpr double least = std::numeric_limits<double>::min();  // above zero
+constexpr double most_cars = 1e6;                             // in one region; of passengers too
 
 void check_state(Complaint& complaint, const FleetState& state) {
-  complaint.require(state.vacant, 0.0, most, "vacant vehicles", "");
-  complaint.require(state.occupied, 0.0, most, "occupied vehicles", "");
-  complaint.require(state.low_battery, 0.0, most, "low-battery vehicles", "");
-  complaint.require(state.plugged, 0.0, most, "plugged vehicles", "");
-  complaint.require(state.waiting, 0.0, most, "waiting passengers", "");
-  complaint.require(state.arriving_vacant, 0.0, most, "arriving vacant vehicles", "step");
-  complaint.require(state.arriving_low_battery, 0.0, most, "arriving low-battery vehicles", "step");
+  complaint.require(state.vacant, 0.0, most_cars, "vacant vehicles", "");
+  complaint.require(state.occupied, 0.0, most_cars, "occupied vehicles", "");
+  complaint.require(state.low_battery, 0.0, most_cars, "low-battery vehicles", "");
+  complaint.require(state.plugged, 0.0, most_cars, "plugged vehicles", "");
+  complaint.require(state.waiting, 0.0, most_cars, "waiting passengers", "");
+  complaint.require(state.arriving_vacant, 0.0, most_cars, "arriving vacant vehicles", "step");
+  complaint.require(state.arriving_low_battery, 0.0, most_cars, "arriving low-battery vehicles", "step");
+  complaint.require(state.dropoffs_due, 0.0, most_cars, "drop-offs due", "step");
 }
 
 void check_set(Complaint& complaint, const MomentSet& set, Eigen::Index regions, const std::string& what) {
   const auto steps = set.mean.size() / regions;
-  complaint.require(set.mean.reshaped(regions, steps), -most, most, what + ", mean", "step");
+  complaint.require(set.mean.reshaped(regions, steps), -most_cars, most_cars, what + ", mean", "step");
   complaint.require(set.deviation.reshaped(regions, steps), least, most, what + ", deviation", "step");
   for (Eigen::Index r = 0; r < set.factors.cols(); ++r) {
     complaint.require(set.factors.col(r).reshaped(regions, steps), -most, most, what + ", factor " + std::to_string(r),
@@ -93,9 +95,18 @@ void check_parameters(Complaint& complaint, const BalancingParameters& p) {
   complaint.require(p.pi_e, 0.0, most, "parameter pi_e");
   complaint.require(p.p_shortage, 0.0, most, "parameter p_shortage");
   complaint.require(p.p_surplus, 0.0, most, "parameter p_surplus");
+  complaint.require(p.p_ratio, 0.0, most, "parameter p_ratio");
   complaint.require(p.eta, 0.0, 1.0, "parameter eta");
   complaint.require(p.m1, 0.0, infinity, "parameter m1");
   complaint.require(p.m2, 0.0, infinity, "parameter m2");
+  complaint.require(p.phi, 0.0, 1.0, "parameter phi");
+  assert(!p.variance_linear.empty() && !p.variance_quadratic.empty());
+  for (const double linear : p.variance_linear) {
+    complaint.require(linear, 0.0, 100.0, "parameter variance_linear");
+  }
+  for (const double quadratic : p.variance_quadratic) {
+    complaint.require(quadratic, 0.0, 100.0, "parameter variance_quadratic");
+  }
 }
 
 void assert_shapes([[maybe_unused]] const PlanningData& data) {
@@ -110,6 +121,11 @@ void assert_shapes([[maybe_unused]] const PlanningData& data) {
   assert(data.demand.mean.size() == n * tau && data.demand.deviation.size() == n * tau);
   assert(data.demand.factors.rows() == n * tau && data.completions.factors.rows() == n * tau);
   assert(data.completions.mean.size() == n * tau && data.completions.deviation.size() == n * tau);
+  assert(data.free_points.mean.size() == n * tau && data.free_points.deviation.size() == n * tau);
+  assert(data.free_points.factors.rows() == n * tau);
+  assert(data.demand_samples.rows() == n * tau && data.demand_samples.cols() > 0);
+  assert(data.state.dropoffs_due.rows() == n && data.state.dropoffs_due.cols() == tau);
+  assert(data.same_step_dropoffs.rows() == n && data.same_step_dropoffs.cols() == n);
   assert(std::ssize(data.transitions) == tau);
 }
 
@@ -122,9 +138,15 @@ std::string complaint(const BalancingParameters& parameters, const PlanningData&
   complaint.require(data.km, 0.0, infinity, "km", "to");
   complaint.require(data.minutes, 0.0, infinity, "minutes", "to");
   check_state(complaint, data.state);
-  complaint.require(data.points, 0.0, most, "points", "step");
+  complaint.require(data.points, 0.0, most_cars, "points", "step");
   check_set(complaint, data.demand, data.km.rows(), "demand");
   check_set(complaint, data.completions, data.km.rows(), "completions");
+  check_set(complaint, data.free_points, data.km.rows(), "free points");
+  for (Eigen::Index k = 0; k < data.points.cols(); ++k) {
+    complaint.require(data.demand_samples.middleRows(k * data.km.rows(), data.km.rows()), -most_cars, most_cars,
+                      "demand, step " + std::to_string(k) + ",", "sample");
+  }
+  complaint.require(data.same_step_dropoffs, 0.0, 1.0, "trips that end within the step", "to");
   for (std::size_t k = 0; k < data.transitions.size(); ++k) {
     check_transitions(complaint, data.transitions[k], std::to_string(k));
   }

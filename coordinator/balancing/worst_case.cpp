@@ -5,6 +5,21 @@
 #include <cmath>
 
 namespace evbal {
+namespace {
+
+class WorstCaseShortage final : public ConvexFunction {
+ public:
+  WorstCaseShortage(double sigma, double g1, double g2) : sigma_(sigma), g1_(g1), g2_(g2) {}
+
+  Jet around(double at) const override { return worst_case_shortage(at, sigma_, g1_, g2_); }
+
+ private:
+  double sigma_;
+  double g1_;
+  double g2_;
+};
+
+}  // namespace
 
 // psi(d) = (sqrt(v - 2 d m + d^2) - d + m) / 2,   v = g2 sigma^2,   m = sqrt(min(g1, g2)) sigma,
 // and where d > 0:  m = min(m, v / (2 d)), which leaves  psi(d) = v / (4 d).
@@ -25,6 +40,10 @@ ConvexFunction::Jet worst_case_shortage(double d, double sigma, double g1, doubl
   return {.value = 0.5 * (excess + m),
           .slope = 0.5 * ((d - m) / root - 1.0),
           .curvature = 0.5 * variance / (root * root * root)};
+}
+
+ConvexFunctionPtr worst_case_shortage(double sigma, double g1, double g2) {
+  return std::make_shared<WorstCaseShortage>(sigma, g1, g2);
 }
 
 }  // namespace evbal

@@ -12,4 +12,7 @@ namespace evbal {
 /// shortage max(0, -d), and equal to it where g2 = 0. A surplus is the shortage of the margin  r_hat - supply.
 ConvexFunction::Jet worst_case_shortage(double d, double sigma, double g1, double g2);
 
+/// The same as a function of d.
+ConvexFunctionPtr worst_case_shortage(double sigma, double g1, double g2);
+
 }  // namespace evbal

@@ -1,6 +1,7 @@
 #include "coordinator/planning/coordinator.hpp"
 
 #include "common/error.hpp"
+#include "coordinator/ambiguity/gaussian_samples.hpp"
 #include "coordinator/balancing/controllers.hpp"
 #include "coordinator/balancing/make_whole.hpp"
 #include "coordinator/planning/planning_data.hpp"
@@ -10,6 +11,8 @@
 
 namespace evbal {
 namespace {
+
+constexpr int demand_samples = 50;
 
 Balancer engine_balancer(const PlanningSettings& settings) {
   return [parameters = settings.balancing, engine = settings.engine](const std::string& controller,
@@ -91,6 +94,8 @@ Coordinator::Coordinator(const City& city, const DayClock& clock, const std::str
       model_(std::move(model)),
       km_(city.km),
       minutes_(city.minutes),
+      session_quantiles_(city.charging.session_quantiles),
+      same_step_dropoffs_(evbal::same_step_dropoffs(city, clock.step)),
       has_points_((city.points().array() > 0).cast<double>()),
       ladder_(settings_.controller, std::move(balancer)) {
   check_fit(city, clock_, settings_, model_);
@@ -108,9 +113,12 @@ PlanningData Coordinator::data(int minute, const std::vector<Report>& reports) c
   data.state = fleet_state(reports, minute, clock_.step, tau);
   data.points = points_ahead(reports, tau);
   data.demand = moment_set(model_.demand.errors, demand_->forecast(minute, tau), demand_->scale(minute, tau));
+  data.demand_samples = gaussian_samples(data.demand, demand_samples);
   data.completions =
       moment_set(model_.completions.errors, has_points_.asDiagonal() * completions_->forecast(minute, tau),
                  has_points_.asDiagonal() * completions_->scale(minute, tau));
+  data.free_points = free_points(reports, minute, clock_.step, session_quantiles_, data.completions);
+  data.same_step_dropoffs = same_step_dropoffs_;
   for (int step = 0; step < tau; ++step) {
     data.transitions.push_back(model_.transitions_at(clock_.start + minute + step * clock_.step));
   }

@@ -1,8 +1,26 @@
 #include "coordinator/planning/planning_data.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
 namespace evbal {
+namespace {
+
+constexpr double least_deviation = 0.1;  ///< of an uncertain count (model, section 5)
+
+/// Share of the sessions that last at most `minutes`; linear between the quantiles.
+double share_ended(const std::vector<double>& quantiles, double minutes) {
+  const auto above = std::upper_bound(quantiles.begin(), quantiles.end(), minutes);
+  if (above == quantiles.begin() || above == quantiles.end()) {
+    return above == quantiles.begin() ? 0.0 : 1.0;
+  }
+  const double low = *std::prev(above);
+  const auto below = static_cast<double>(above - quantiles.begin() - 1);
+  return (below + (minutes - low) / (*above - low)) / static_cast<double>(quantiles.size() - 1);
+}
+
+}  // namespace
 
 int horizon_at(const DayClock& clock, int minute, int tau) {
   const int steps_left = (clock.minutes() - minute + clock.step - 1) / clock.step;
@@ -12,7 +30,8 @@ int horizon_at(const DayClock& clock, int minute, int tau) {
 FleetState fleet_state(const std::vector<Report>& reports, int minute, int step, int tau) {
   const auto n = static_cast<Eigen::Index>(reports.size());
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(n);
-  FleetState state{none, none, none, none, none, Eigen::MatrixXd::Zero(n, tau), Eigen::MatrixXd::Zero(n, tau)};
+  const Eigen::MatrixXd never = Eigen::MatrixXd::Zero(n, tau);
+  FleetState state{none, none, none, none, none, never, never, never};
   for (const Report& report : reports) {
     const int i = report.region;
     state.vacant(i) = report.vacant;
@@ -23,6 +42,9 @@ FleetState fleet_state(const std::vector<Report>& reports, int minute, int step,
       const int window = std::max(0, car.minute - minute) / step;
       if (car.errand == Errand::passenger) {
         state.occupied(i) += car.count;
+        if (window < tau) {
+          state.dropoffs_due(i, window) += car.count;
+        }
       } else if (window < tau) {
         (car.errand == Errand::rebalance ? state.arriving_vacant : state.arriving_low_battery)(i, window) += car.count;
       }
@@ -37,6 +59,42 @@ Eigen::MatrixXd points_ahead(const std::vector<Report>& reports, int tau) {
     points.row(report.region).setConstant(report.points);
   }
   return points;
+}
+
+MomentSet free_points(const std::vector<Report>& reports, int minute, int step,
+                      const std::vector<double>& session_quantiles, const MomentSet& completions) {
+  const auto n = static_cast<Eigen::Index>(reports.size());
+  MomentSet set = completions;
+  set.factors.resize(set.mean.size(), 0);
+  for (Eigen::Index entry = 0; entry < set.mean.size(); ++entry) {
+    const Report& report = reports[static_cast<std::size_t>(entry % n)];
+    const double until = static_cast<double>(minute + step * (1 + entry / n));
+    double mean = std::max(0, report.points - report.plugged);
+    double variance = 0.0;
+    for (const int since : report.plugged_since) {
+      const double ended = share_ended(session_quantiles, minute - since);
+      const double ends = ended < 1.0 ? (share_ended(session_quantiles, until - since) - ended) / (1.0 - ended) : 1.0;
+      mean += ends;
+      variance += ends * (1.0 - ends);
+    }
+    set.mean(entry) = mean;
+    set.deviation(entry) = std::max(least_deviation, std::sqrt(variance));
+  }
+  return set;
+}
+
+Eigen::MatrixXd same_step_dropoffs(const City& city, int step) {
+  Eigen::MatrixXd trips = Eigen::MatrixXd::Zero(city.size(), city.size());
+  for (const std::string& date : city.train_days) {
+    for (const auto& pairs : read_demand(city, date).steps) {
+      for (const TripCount& pair : pairs) {
+        trips(pair.origin, pair.destination) += pair.trips;
+      }
+    }
+  }
+  const Eigen::VectorXd started = trips.rowwise().sum().cwiseMax(1.0);
+  const Eigen::MatrixXd in_time = (1.0 - city.minutes.array() / step).max(0.0);
+  return started.cwiseInverse().asDiagonal() * trips.cwiseProduct(in_time);
 }
 
 }  // namespace evbal

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "agents/city/city.hpp"
 #include "agents/protocol/messages.hpp"
 #include "common/clock.hpp"
 #include "coordinator/balancing/problem.hpp"
@@ -15,10 +16,20 @@ int horizon_at(const DayClock& clock, int minute, int tau);
 
 /// The fleet as the reports (by region, all of them) have it at `minute`. Occupied cars count at their destination,
 /// those that arrive at once included; empty cars under way count in the window of `step` minutes in which they
-/// arrive, and not at all after the horizon.
+/// arrive, and not at all after the horizon; so do drop-offs due.
 FleetState fleet_state(const std::vector<Report>& reports, int minute, int step, int tau);
 
 /// Working points of the reports, held over the horizon, N x tau.
 Eigen::MatrixXd points_ahead(const std::vector<Report>& reports, int tau);
+
+/// Charging points that are free by the end of each step if nobody plugs in: those free now, and those of plugged cars
+/// that finish, each by the city's session quantiles given how long it has been plugged in. Variances are those of
+/// independent finishes; horizon and thresholds are those of `completions`.
+MomentSet free_points(const std::vector<Report>& reports, int minute, int step,
+                      const std::vector<double>& session_quantiles, const MomentSet& completions);
+
+/// D, N x N: of the trips from j on the city's training days, the share that goes to i and ends there within the step
+/// of `step` minutes in which it starts, starts being even over the step.
+Eigen::MatrixXd same_step_dropoffs(const City& city, int step);
 
 }  // namespace evbal

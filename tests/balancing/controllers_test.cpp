@@ -1,6 +1,7 @@
 #include "coordinator/balancing/controllers.hpp"
 
 #include "coordinator/balancing/formulation.hpp"
+#include "coordinator/balancing/worst_case.hpp"
 #include "tests/balancing/random_planning_data.hpp"
 
 #include <Eigen/Cholesky>
@@ -15,7 +16,14 @@
 namespace evbal {
 namespace {
 
-const std::vector<std::string> solving = {"nominal", "robust"};
+std::vector<std::string> solving_controllers() {
+  auto names = controller_names();
+  std::erase(names, "none");
+  std::erase(names, "greedy");
+  return names;
+}
+
+const std::vector<std::string> solving = solving_controllers();
 
 double optimum(const std::string& controller, const PlanningData& data, const BalancingParameters& parameters = {}) {
   const auto certificate = balance(controller, parameters, data, {}).certificate;
@@ -71,6 +79,12 @@ TEST_P(EveryEngine, StaysFeasibleInExtremes) {
          d.km.row(2).setConstant(std::numeric_limits<double>::infinity());
          d.km.col(2).setConstant(std::numeric_limits<double>::infinity());
        }},
+      {"demand surely what it is forecast to be",
+       [](PlanningData& d) {
+         d.demand.deviation.setConstant(1e-6);
+         d.demand.factors.setZero();
+         d.demand.g1 = 0.0;
+       }},
       {"covariances of rank one", [](PlanningData& d) { d.completions.deviation.setConstant(1e-6); }},
       {"huge thresholds", [](PlanningData& d) { d.completions.g1 = d.completions.g2 = 1e4; }},
   };
@@ -91,6 +105,59 @@ TEST(Controllers, RobustIsNominalWithoutUncertainty) {
   EXPECT_GT(robust, nominal + 1.0);
   data.demand.g1 = data.completions.g1 = 0.0;
   EXPECT_NEAR(optimum("robust", data), nominal, 1e-6 * nominal);
+}
+
+// One region, one step: nothing to decide, the whole objective by hand.
+TEST(Controllers, PriceAShortageAsTheirFormSays) {
+  auto data = random_planning_data(3, {.regions = 1, .tau = 1, .rank = 0, .station_share = 0.0});
+  data.state.low_battery.setZero();
+  data.state.plugged.setZero();
+  data.completions.mean.setZero();
+  data.state.vacant << 4.0;
+  data.state.waiting << 5.0;
+  data.state.dropoffs_due << 3.0;
+  data.same_step_dropoffs << 0.0;
+  data.transitions[0].vacant_to_low_battery << 0.0;
+  data.transitions[0].vacant_to_vacant << 1.0;
+  data.transitions[0].vacant_to_occupied << 0.0;
+  data.demand.mean << 6.0;
+  data.demand.deviation << 2.0;
+  data.demand.g1 = 0.25;
+  data.demand.g2 = 1.5;
+  data.demand_samples = (Eigen::MatrixXd(1, 3) << 4.0, 6.0, 11.0).finished();
+  const BalancingParameters p;
+  const double hS = 1.2 * 6.0;  // rho = 6 / 4
+  const double lS = 0.8 * 6.0;
+  const auto expect = [&](const std::string& controller, double expected) {
+    EXPECT_NEAR(optimum(controller, data), expected, 2e-6 * std::max(1.0, expected)) << controller;
+  };
+  expect("nominal", 0.0);
+  expect("demand-robust", 0.0);  // 6 +- 1 is within [lS, hS]
+  data.demand.g1 = 1.0;
+  expect("demand-robust", p.p_shortage * (8.0 - hS) + p.p_surplus * (lS - 4.0));
+  expect("moment", p.p_shortage * worst_case_shortage(hS - 6.0, 2.0, 1.0, 1.5).value +
+                       p.p_surplus * worst_case_shortage(6.0 - lS, 2.0, 1.0, 1.5).value);
+  expect("scenario", p.p_shortage * (11.0 - hS) / 3.0 + p.p_surplus * (lS - 4.0) / 3.0);
+  expect("ratio", p.p_ratio * 6.0 / 4.5);
+  const double short_of = 6.0 + 0.8 * 5.0 - 4.0 - 0.6 * 3.0;
+  expect("oracle", p.p_shortage * short_of);
+  const double turnover = optimum("turnover", data);
+  EXPECT_GT(turnover, p.p_shortage * short_of);
+  EXPECT_LT(turnover, p.p_shortage * (short_of + 2.0));
+}
+
+TEST(Controllers, PointsStandInForCompletionsInUtilisationOnly) {
+  auto data = random_planning_data(3, {.regions = 4, .tau = 1});
+  BalancingParameters points;
+  points.supply = Supply::points;
+  for (const auto& controller : solving) {
+    EXPECT_NE(optimum(controller, data, points), optimum(controller, data)) << controller;
+  }
+  const auto switches = Switches{};
+  EXPECT_TRUE(beliefs(points, data, switches).c_low.isApprox(beliefs({}, data, switches).c_low));
+  EXPECT_FALSE(beliefs(points, data, switches).c_hat.isApprox(beliefs({}, data, switches).c_hat));
+  data.free_points.mean.setConstant(1e3);
+  EXPECT_TRUE(beliefs(points, data, switches).c_hat.isApprox(data.points)) << "no more than there are";
 }
 
 // With one step, moving vacant and low-battery cars are two problems of one net flow each; both by golden section.
@@ -154,7 +221,12 @@ RC_GTEST_PROP(Controllers, NeverSendMoreThanThereIsAndLoseNobody, ()) {
   const auto seed = *rc::gen::arbitrary<std::uint64_t>();
   const int regions = *rc::gen::inRange(1, 6);
   const auto data = random_planning_data(seed, {.regions = regions, .tau = 3});
-  const auto formulation = formulate({}, data, {.demand = Belief::mean, .supply = Belief::mean});
+  const auto switches = *rc::gen::element(Switches{Shortage::band, Belief::worst_case, Belief::worst_case},
+                                          Switches{Shortage::moments, Belief::worst_case, Belief::worst_case},
+                                          Switches{Shortage::band, Belief::samples, Belief::mean},
+                                          Switches{Shortage::ratio, Belief::mean, Belief::mean},
+                                          Switches{Shortage::turnover, Belief::counts, Belief::mean});
+  const auto formulation = formulate({}, data, switches);
   const auto solution = solve(formulation.program, {});
   RC_ASSERT(solution.certificate.optimal);
   Eigen::VectorXd left = data.state.vacant;
@@ -177,44 +249,6 @@ RC_GTEST_PROP(Controllers, NeverSendMoreThanThereIsAndLoseNobody, ()) {
   RC_ASSERT(std::abs(first - second) < 1e-6 * std::max(1.0, first));
 }
 
-TEST(Controllers, NamesOfRegionsDoNotMatter) {
-  const auto data = random_planning_data(9, {.regions = 7});
-  const int n = 7;
-  Eigen::PermutationMatrix<Eigen::Dynamic> one(n);
-  one.indices() << 3, 5, 0, 6, 1, 2, 4;
-  Eigen::PermutationMatrix<Eigen::Dynamic> both(2 * n);
-  for (int i = 0; i < n; ++i) {
-    both.indices()(i) = one.indices()(i);
-    both.indices()(n + i) = n + one.indices()(i);
-  }
-  auto renamed = data;
-  for (auto* square : {&renamed.km, &renamed.minutes}) {
-    *square = (one * *square * one.transpose()).eval();
-  }
-  for (auto* vector : {&renamed.state.vacant, &renamed.state.occupied, &renamed.state.low_battery,
-                       &renamed.state.plugged, &renamed.state.waiting}) {
-    *vector = (one * *vector).eval();
-  }
-  for (auto* rows : {&renamed.state.arriving_vacant, &renamed.state.arriving_low_battery, &renamed.points}) {
-    *rows = (one * *rows).eval();
-  }
-  for (auto* set : {&renamed.demand, &renamed.completions}) {
-    set->mean = (both * set->mean).eval();
-    set->deviation = (both * set->deviation).eval();
-    set->factors = (both * set->factors).eval();
-  }
-  for (auto& move : renamed.transitions) {
-    for (auto* square : {&move.vacant_to_vacant, &move.vacant_to_occupied, &move.vacant_to_low_battery,
-                         &move.occupied_to_vacant, &move.occupied_to_occupied}) {
-      *square = (one * *square * one.transpose()).eval();
-    }
-  }
-  for (const auto& controller : solving) {
-    const double expected = optimum(controller, data);
-    EXPECT_NEAR(optimum(controller, renamed), expected, 2e-6 * expected);
-  }
-}
-
 TEST(Controllers, RefuseByName) {
   const auto refusal = [](const std::function<void(PlanningData&, BalancingParameters&)>& spoil) {
     auto data = random_planning_data(1, {.regions = 4});
@@ -235,6 +269,14 @@ TEST(Controllers, RefuseByName) {
   EXPECT_TRUE(refusal([](auto& d, auto&) {
                 d.transitions[1].vacant_to_vacant(2, 2) += 0.01;
               }).starts_with("transitions of vacant, step 1, row sum of region 2"));
+  EXPECT_TRUE(refusal([&](auto& d, auto&) {
+                d.demand_samples(6, 3) = nan;
+              }).starts_with("demand, step 1, of region 2, sample 3: nan"));
+  EXPECT_TRUE(refusal([](auto& d, auto&) {
+                d.state.dropoffs_due(1, 0) = -1.0;
+              }).starts_with("drop-offs due of region 1, step 0"));
+  EXPECT_TRUE(refusal([](auto& d, auto&) { d.demand.mean(1) = 1e7; }).starts_with("demand, mean of region 1"));
+  EXPECT_TRUE(refusal([](auto&, auto& p) { p.variance_linear = {-1.0}; }).starts_with("parameter variance_linear"));
   EXPECT_TRUE(refusal([](auto& d, auto&) { d.points(1, 1) = -2.0; }).starts_with("points of region 1, step 1"));
   EXPECT_TRUE(refusal([](auto&, auto& p) { p.a = 0.0; }).starts_with("parameter a"));
 }

@@ -71,5 +71,14 @@ TEST(ConvexFunction, InversePowerHasItsDerivatives) {
   }
 }
 
+TEST(ConvexFunction, OfALineFollowsTheChainRule) {
+  const auto f = of_line(inverse_power(1.0, 0.5), -2.0, 9.0);
+  constexpr double h = 1e-5;
+  const auto [value, slope, curvature] = f->around(3.0);
+  EXPECT_DOUBLE_EQ(value, 0.5);
+  EXPECT_NEAR(slope, (f->around(3.0 + h).value - f->around(3.0 - h).value) / (2 * h), 1e-9);
+  EXPECT_NEAR(curvature, (f->around(3.0 + h).slope - f->around(3.0 - h).slope) / (2 * h), 1e-9);
+}
+
 }  // namespace
 }  // namespace evbal

@@ -74,6 +74,12 @@ PlanningData random_planning_data(std::uint64_t seed, const DataShape& shape) {
   const Eigen::VectorXd busy = matrix(n, 1, [&] { return shape.demand_scale * cars * random.exponential(1.0); });
   data.demand = moment_set(random, busy.replicate(shape.tau, 1), shape.rank);
   data.completions = moment_set(random, (0.5 * data.points.reshaped()).eval(), shape.rank);
+  data.demand_samples = matrix(data.demand.mean.size(), 20, [&] { return random.uniform(0.5, 1.5); });
+  data.demand_samples = data.demand.mean.asDiagonal() * data.demand_samples;
+  const Eigen::MatrixXd free = data.points.colwise() - 0.7 * data.state.plugged;
+  data.free_points = moment_set(random, free.reshaped(), shape.rank);
+  data.state.dropoffs_due = 0.5 * data.state.occupied.replicate(1, shape.tau);
+  data.same_step_dropoffs = matrix(n, n, [&] { return random.uniform(0.0, 0.8 / n); });
   for (int k = 0; k < shape.tau; ++k) {
     data.transitions.push_back(transitions(random, n));
   }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace evbal {
 namespace {
 
@@ -30,11 +32,46 @@ TEST(FleetState, CountsCarsWhereAndWhenTheyArrive) {
   EXPECT_EQ(state.plugged(1), 4.0);
   EXPECT_EQ(state.waiting(0), 6.0);
   EXPECT_EQ(state.occupied(0), 8.0);
+  EXPECT_EQ(state.dropoffs_due(0, 0), 1.0);
+  EXPECT_EQ(state.dropoffs_due(0, 1), 7.0);
   EXPECT_EQ(state.arriving_vacant(0, 0), 2.0);
   EXPECT_EQ(state.arriving_vacant(0, 1), 3.0);
   EXPECT_EQ(state.arriving_low_battery(0, 1), 1.0);
   EXPECT_EQ(state.arriving_vacant.sum(), 5.0) << "what arrives after the horizon is left out";
   EXPECT_EQ(points_ahead(reports, 2)(1, 1), 5.0);
+}
+
+// Sessions last 20 to 60 minutes, evenly.
+TEST(FreePoints, CountsWhatFinishesGivenItsAge) {
+  std::vector<Report> reports(2);
+  reports[1].region = 1;
+  reports[0].points = 5;
+  reports[0].plugged = 3;
+  reports[0].plugged_since = {30, 60, 100};
+  MomentSet completions;
+  completions.mean = Eigen::VectorXd::Zero(4);
+  completions.deviation = Eigen::VectorXd::Ones(4);
+  completions.factors = Eigen::MatrixXd::Ones(4, 1);
+  completions.g1 = 0.3;
+  const MomentSet set = free_points(reports, 100, 30, {20.0, 40.0, 60.0}, completions);
+  // since 30: overdue; since 60: 40 minutes old, all of its kind end within 20; since 100: new, a quarter within 30.
+  EXPECT_DOUBLE_EQ(set.mean(0), 2.0 + 1.0 + 1.0 + 0.25);
+  EXPECT_DOUBLE_EQ(set.deviation(0), std::sqrt(0.25 * 0.75));
+  EXPECT_DOUBLE_EQ(set.mean(2), 5.0) << "after an hour all are free";
+  EXPECT_DOUBLE_EQ(set.mean(1), 0.0);
+  EXPECT_DOUBLE_EQ(set.deviation(1), 0.1);
+  EXPECT_EQ(set.factors.cols(), 0);
+  EXPECT_EQ(set.g1, 0.3);
+}
+
+TEST(SameStepDropoffs, AreTheShortTripsOfTheRecord) {
+  const City city = read_city(std::filesystem::path(EVBAL_SOURCE_DIR) / "experiments/cities/toy-5");
+  const Eigen::MatrixXd shares = same_step_dropoffs(city, 30);
+  ASSERT_EQ(shares.rows(), 5);
+  EXPECT_GE(shares.minCoeff(), 0.0);
+  EXPECT_LT(shares.rowwise().sum().maxCoeff(), 1.0);
+  EXPECT_GT(shares.sum(), 1.0);
+  EXPECT_EQ(same_step_dropoffs(city, 1).sum(), 0.0) << "nothing ends within a minute";
 }
 
 }  // namespace

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+namespace evbal {
+
+/// A demand that takes finitely many values.
+struct DiscreteLaw {
+  std::vector<double> values;         ///< ascending, at least one
+  std::vector<double> probabilities;  ///< > 0, sum 1
+
+  double mean() const;
+};
+
+/// What surely takes one value.
+DiscreteLaw certain(double value);
+
+/// `values` are equally likely; at least one.
+DiscreteLaw empirical(std::vector<double> values);
+
+/// Negative binomial with this mean >= 0 and variance, Poisson where the variance is at most the mean. Neighbouring
+/// values of less than a 64th together are joined at their mean: fewer values, the same mean.
+DiscreteLaw negative_binomial(double mean, double variance);
+
+/// The law of  -r.
+DiscreteLaw mirrored(DiscreteLaw law);
+
+}  // namespace evbal

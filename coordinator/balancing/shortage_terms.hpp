@@ -1,0 +1,37 @@
+#pragma once
+
+#include "coordinator/balancing/beliefs.hpp"
+#include "coordinator/balancing/problem.hpp"
+#include "coordinator/balancing/program.hpp"
+
+namespace evbal {
+
+/// The price of too few, and of too many, vehicles in the regions (model, sections 3 and 4).
+class ShortageTerms {
+ public:
+  /// Everything given must outlive this.
+  ShortageTerms(const BalancingParameters& parameters, const PlanningData& data, Shortage shortage,
+                const Beliefs& beliefs, ConvexProgram& program);
+
+  /// Adds the terms of step k; `S` holds the vehicles of every region.
+  void add(int k, const Variables& S);
+
+ private:
+  double h(int k) const;
+  double l(int k) const;
+  void band(int k, const Variables& S);
+  void moments(int k, const Variables& S);
+  void ratio(int k, const Variables& S);
+  void turnover(int k, const Variables& S);
+  void curve(const char* name, int k, double price, Variable of, const ConvexFunctionPtr& function);
+  void expected_shortage(const char* name, int k, double price, const DiscreteLaw& law, const Expression& s);
+
+  const BalancingParameters& p_;
+  const PlanningData& data_;
+  Shortage shortage_;
+  const Beliefs& beliefs_;
+  ConvexProgram& program_;
+  Eigen::VectorXd rho_;
+};
+
+}  // namespace evbal
