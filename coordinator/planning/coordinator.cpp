@@ -83,8 +83,8 @@ void add_moves(std::vector<Move>& moves, Errand errand, const std::vector<Flow>&
 
 }  // namespace
 
-Coordinator::Coordinator(const City& city, const DayClock& clock, const std::string& date, PlanningSettings settings,
-                         CityModel model)
+Coordinator::Coordinator(const City& city, const DayClock& clock, const std::string& date,
+                         const PlanningSettings& settings, CityModel model)
     : Coordinator(city, clock, date, settings, std::move(model), engine_balancer(settings)) {}
 
 Coordinator::Coordinator(const City& city, const DayClock& clock, const std::string& date, PlanningSettings settings,

@@ -19,7 +19,7 @@ class Coordinator {
  public:
   /// `city` with the scenario's overrides, `date` as "2008-06-03", `model` fitted to this city. Throws Error{bad_input}
   /// if the model does not fit the city, the clock or the horizon.
-  Coordinator(const City& city, const DayClock& clock, const std::string& date, PlanningSettings settings,
+  Coordinator(const City& city, const DayClock& clock, const std::string& date, const PlanningSettings& settings,
               CityModel model);
 
   /// The same with another solver, for tests.
