@@ -4,7 +4,9 @@
 
 #include "agents/bus/process.hpp"
 #include "agents/bus/roles.hpp"
+#include "agents/region/draws.hpp"
 #include "agents/region/world.hpp"
+#include "faults/schedule/schedule.hpp"
 
 namespace {
 
@@ -16,6 +18,12 @@ void plan(const ProcessOptions& options, Participant& participant) {
   const PlanningSettings settings = read_planning(scenario);
   Coordinator coordinator(world.city, world.clock, world.day.date, settings,
                           read_model(model_file(settings, world.city)));
+  if (settings.foresees()) {
+    const Eigen::VectorXi points = world.city.points();
+    const Schedule schedule = read_resolved(scenario, {world.clock, {points.begin(), points.end()}});
+    coordinator.foresee(
+        demand_by_tick(world, [&](int tick) { return faults_at(schedule, world.clock, tick).effects; }));
+  }
   serve_coordinator(participant, options.name,
                     [&](int tick, const std::vector<Report>& reports) { return coordinator.plan(tick, reports); });
 }

@@ -1,5 +1,6 @@
 #include "experiments/record_day.hpp"
 
+#include "agents/region/draws.hpp"
 #include "common/interrupt.hpp"
 #include "coordinator/planning/coordinator.hpp"
 #include "experiments/conductor/dds_players.hpp"
@@ -15,8 +16,13 @@ namespace {
 
 std::shared_ptr<Coordinator> coordinator_of(const Scenario& scenario) {
   const World& world = scenario.world;
-  return std::make_shared<Coordinator>(world.city, world.clock, world.day.date, scenario.planning,
-                                       read_model(model_file(scenario.planning, world.city)));
+  auto coordinator = std::make_shared<Coordinator>(world.city, world.clock, world.day.date, scenario.planning,
+                                                   read_model(model_file(scenario.planning, world.city)));
+  if (scenario.planning.foresees()) {
+    coordinator->foresee(
+        demand_by_tick(world, [&](int tick) { return faults_at(scenario.schedule, world.clock, tick).effects; }));
+  }
+  return coordinator;
 }
 
 std::unique_ptr<Players> players_of(const Scenario& scenario, const std::filesystem::path& folder,

@@ -68,6 +68,21 @@ std::vector<Passenger> draw_passengers(const World& world, int region) {
   return passengers;
 }
 
+Eigen::MatrixXd demand_by_tick(const World& world, const std::function<std::vector<Effect>(int tick)>& effects) {
+  Eigen::MatrixXd demand = Eigen::MatrixXd::Zero(world.city.size(), world.clock.ticks());
+  for (int region = 0; region < world.city.size(); ++region) {
+    for (const Passenger& passenger : draw_passengers(world, region)) {
+      demand(region, passenger.appears / world.clock.tick) += 1.0;
+    }
+  }
+  for (int tick = 0; tick < world.clock.ticks(); ++tick) {
+    for (const Effect& effect : effects(tick)) {
+      demand(effect.region, tick) *= effect.type == EffectType::demand_scale ? effect.magnitude : 1.0;
+    }
+  }
+  return demand;
+}
+
 std::vector<std::vector<Vehicle>> draw_fleet(const World& world) {
   const FleetAssumption& fleet = world.city.fleet;
   std::vector<double> pick_ups(world.city.regions.size(), 0.0);

@@ -3,6 +3,9 @@
 #include "agents/protocol/messages.hpp"
 #include "agents/region/world.hpp"
 
+#include <Eigen/Core>
+
+#include <functional>
 #include <vector>
 
 namespace evbal {
@@ -18,6 +21,9 @@ struct Passenger {
 /// The passengers of one region on the world's day, by (appears, index). Those whom the record has outside the clock's
 /// day are left out.
 std::vector<Passenger> draw_passengers(const World& world, int region);
+
+/// The passengers who will appear in each tick, N x ticks: those drawn, by the factors of `effects` on their region.
+Eigen::MatrixXd demand_by_tick(const World& world, const std::function<std::vector<Effect>(int tick)>& effects);
 
 /// A passenger's patience, uniform between the city's bounds, in whole minutes.
 int draw_patience(const PassengerAssumption& passengers, double uniform);

@@ -17,8 +17,8 @@ class Forecaster {
   /// the day's end count nothing. `minute` is not before the last observation.
   virtual Eigen::MatrixXd forecast(int minute, int tau) const = 0;
 
-  /// Size of an ordinary forecast error of the same windows, N x tau, all > 0: residuals divided by it are alike at
-  /// any time of the day (model, section 5).
+  /// Size of an ordinary forecast error of the same windows, N x tau, 0 where there is none: residuals divided by it
+  /// are alike at any time of the day (model, section 5).
   virtual Eigen::MatrixXd scale(int minute, int tau) const = 0;
 };
 

@@ -4,6 +4,7 @@
 #include "coordinator/ambiguity/gaussian_samples.hpp"
 #include "coordinator/balancing/controllers.hpp"
 #include "coordinator/balancing/make_whole.hpp"
+#include "coordinator/forecast/foreknowledge.hpp"
 #include "coordinator/planning/planning_data.hpp"
 
 #include <cassert>
@@ -103,6 +104,11 @@ Coordinator::Coordinator(const City& city, const DayClock& clock, const std::str
   const int start = clock_.start - model_.day_start;
   demand_ = std::make_unique<SeasonalForecaster>(model_.demand.seasonal, kind, start);
   completions_ = std::make_unique<SeasonalForecaster>(model_.completions.seasonal, kind, start);
+}
+
+void Coordinator::foresee(const Eigen::MatrixXd& demand_by_tick) {
+  assert(demand_by_tick.rows() == model_.regions() && demand_by_tick.cols() == clock_.ticks());
+  demand_ = std::make_unique<Foreknowledge>(demand_by_tick, clock_.tick, clock_.step);
 }
 
 PlanningData Coordinator::data(int minute, const std::vector<Report>& reports) const {

@@ -26,6 +26,10 @@ class Coordinator {
   Coordinator(const City& city, const DayClock& clock, const std::string& date, PlanningSettings settings,
               CityModel model, Balancer balancer);
 
+  /// Tells what the demand will be, N x ticks of the day, in place of a forecast: before the first plan, and only for
+  /// the `oracle`.
+  void foresee(const Eigen::MatrixXd& demand_by_tick);
+
   /// The plan of `tick`, which is due; `reports` are those of all regions, in any order. To be called for every tick at
   /// which a plan is due, in turn: forecasts live on it. The Origin is left to the process that publishes the plan.
   /// Throws Error{run_failed} if a report is missing, repeated or of another tick.

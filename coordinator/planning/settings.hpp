@@ -16,6 +16,9 @@ struct PlanningSettings {
   EngineSettings engine;
   std::filesystem::path model;  ///< file that `evbal fit` wrote; empty: the one beside the city's pack
   BalancingParameters balancing;
+
+  /// Whether the Coordinator is to be told the future.
+  bool foresees() const { return controller == "oracle"; }
 };
 
 /// Reads the planning keys of a scenario: controller, engine, iterations, model, balancing. All may be left out;

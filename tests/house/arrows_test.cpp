@@ -38,8 +38,10 @@ const std::vector<Room>& rooms() {
       {"faults/schedule", {"common", "agents/protocol"}},
 
       {"agents", {"common", "agents/protocol", "agents/city", "agents/region", "agents/bus"}},
+      // faults: for the `oracle` alone, which is told the future
       {"coordinator",
-       {"common", "agents/protocol", "agents/city", "agents/region", "agents/bus", "coordinator/planning"}},
+       {"common", "agents/protocol", "agents/city", "agents/region", "agents/bus", "coordinator/planning",
+        "faults/schedule"}},
       {"faults", {"common", "agents/protocol", "agents/city", "agents/region", "agents/bus", "faults/schedule"}},
 
       {"experiments/scenario",

@@ -2,6 +2,7 @@
 
 #include "common/error.hpp"
 #include "common/random.hpp"
+#include "coordinator/balancing/controllers.hpp"
 #include "tests/planning/small_city.hpp"
 
 #include <gtest/gtest.h>
@@ -75,6 +76,23 @@ TEST(Coordinator, ForecastsFollowWhatIsReported) {
   EXPECT_NEAR(spy.seen->completions.mean(0), 1.0 - 0.1 - 1.0 / 3.0, 1e-12);
 }
 
+TEST(Coordinator, ForeseesWhatItWasTold) {
+  const Spy spy;
+  const DayClock clock;
+  Coordinator coordinator(testing::small_city(), clock, date, {}, testing::small_model(), spy);
+  Eigen::MatrixXd demand = Eigen::MatrixXd::Zero(3, clock.ticks());
+  demand.row(1).setLinSpaced(0.0, clock.ticks() - 1.0);
+  coordinator.foresee(demand);
+  coordinator.plan(2, quiet_reports(2, 5));
+  EXPECT_DOUBLE_EQ(spy.seen->demand.mean(0), 0.0);
+  EXPECT_DOUBLE_EQ(spy.seen->demand.mean(1), 2.0 + 3.0 + 4.0 + 5.0 + 6.0 + 7.0);
+  EXPECT_DOUBLE_EQ(spy.seen->demand.mean(4), 8.0 + 9.0 + 10.0 + 11.0 + 12.0 + 13.0);
+  EXPECT_LT(spy.seen->demand.standard_deviation().maxCoeff(), 0.01);
+  const int last = clock.ticks() - 2;
+  coordinator.plan(last, quiet_reports(last, 5));
+  EXPECT_DOUBLE_EQ(spy.seen->demand.mean(1), last + last + 1.0) << "nothing after the day";
+}
+
 TEST(Coordinator, RefusesReportsThatAreNotThoseOfTheTick) {
   Coordinator coordinator(testing::small_city(), {}, date, {}, testing::small_model(), Spy{});
   auto reports = quiet_reports(4, 5);
@@ -101,9 +119,10 @@ TEST(Coordinator, RefusesAModelThatDoesNotFit) {
 
 RC_GTEST_PROP(CoordinatorProperty, NeverSendsMoreThanARegionHas, (std::uint64_t seed)) {
   RandomStream random(seed, Purpose::fleet, {});
-  for (const std::string controller : {"none", "greedy", "nominal", "robust"}) {
+  for (const std::string& controller : controller_names()) {
     PlanningSettings settings;
     settings.controller = controller;
+    settings.engine.name = "cuts";
     Coordinator coordinator(testing::small_city(), {}, date, settings, testing::small_model());
     auto reports = quiet_reports(0, 0);
     for (Report& report : reports) {

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "coordinator/forecast/forecaster.hpp"
+
+namespace evbal {
+
+/// Forecasts what will happen, because it was told; for the `oracle`, which bounds what better forecasts could bring.
+class Foreknowledge : public Forecaster {
+ public:
+  /// `counts` of every region in each tick of the day, N x ticks; a step of `step` minutes is made of whole ticks.
+  Foreknowledge(Eigen::MatrixXd counts, int tick, int step);
+
+  void observe(int minute, const Eigen::VectorXd& counts) override;
+  Eigen::MatrixXd forecast(int minute, int tau) const override;
+
+  /// Nothing: there are no errors.
+  Eigen::MatrixXd scale(int minute, int tau) const override;
+
+ private:
+  Eigen::MatrixXd counts_;
+  int tick_;
+  int step_;
+};
+
+}  // namespace evbal
