@@ -275,6 +275,23 @@ TEST(Draws, FollowTheRecord) {
   EXPECT_LT(drawn(), recorded / 2);
 }
 
+TEST(Draws, DemandByTickIsWhatAppearsTimesItsFaults) {
+  const World world = test::world_of({.regions = 2, .trips_per_day = 2000.0});
+  const auto spike = [](int tick) {
+    Effect effect{.type = EffectType::demand_scale, .region = 1, .magnitude = 2.5};
+    return tick < 20 ? std::vector<Effect>{effect} : std::vector<Effect>{};
+  };
+  const Eigen::MatrixXd demand = demand_by_tick(world, spike);
+  ASSERT_EQ(demand.cols(), world.clock.ticks());
+  const auto passengers = draw_passengers(world, 1);
+  const auto early = static_cast<double>(std::ranges::count_if(
+      passengers, [&](const Passenger& passenger) { return passenger.appears < 20 * world.clock.tick; }));
+  EXPECT_GT(early, 0.0);
+  EXPECT_NEAR(demand.row(1).head(20).sum(), 2.5 * early, 1e-9);
+  EXPECT_NEAR(demand.row(1).sum(), static_cast<double>(passengers.size()) + 1.5 * early, 1e-9);
+  EXPECT_NEAR(demand.row(0).sum(), static_cast<double>(draw_passengers(world, 0).size()), 1e-9);
+}
+
 TEST(Draws, SessionsFollowTheirQuantiles) {
   World world = two_regions(1);
   world.city.charging.session_quantiles = {10.0, 20.0, 80.0};
