@@ -6,6 +6,7 @@
 #include "experiments/run_command.hpp"
 #include "tools/fit/fit_command.hpp"
 #include "tools/ingest/ingest_command.hpp"
+#include "tools/verify/verify_command.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -20,6 +21,7 @@ int main(int argc, char** argv) {
   evbal::add_replay_command(app);
   evbal::add_ingest_command(app);
   evbal::add_fit_command(app);
+  evbal::add_verify_command(app);
   evbal::add_doctor_command(app);
   try {
     app.parse(argc, argv);

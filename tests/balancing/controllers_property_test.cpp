@@ -1,7 +1,7 @@
 // What must hold of every controller that solves the balancing problem, whatever the data.
 
 #include "coordinator/balancing/controllers.hpp"
-#include "tests/balancing/random_planning_data.hpp"
+#include "tools/samples/random_planning_data.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

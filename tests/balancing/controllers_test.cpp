@@ -2,7 +2,7 @@
 
 #include "coordinator/balancing/formulation.hpp"
 #include "coordinator/balancing/worst_case.hpp"
-#include "tests/balancing/random_planning_data.hpp"
+#include "tools/samples/random_planning_data.hpp"
 
 #include <Eigen/Cholesky>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "coordinator/balancing/heuristics.hpp"
 
-#include "tests/balancing/random_planning_data.hpp"
+#include "tools/samples/random_planning_data.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

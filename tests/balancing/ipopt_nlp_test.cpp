@@ -1,7 +1,7 @@
 #include "coordinator/balancing/ipopt_nlp.hpp"
 
 #include "coordinator/balancing/formulation.hpp"
-#include "tests/balancing/random_planning_data.hpp"
+#include "tools/samples/random_planning_data.hpp"
 
 #include <gtest/gtest.h>
 

@@ -63,10 +63,14 @@ const std::vector<Room>& rooms() {
       {"tools/report",
        {"common", "agents/protocol", "agents/city", "agents/region", "experiments/scenario", "experiments/metrics",
         "experiments/record"}},
+      {"tools/samples", {"common", "coordinator/ambiguity", "coordinator/balancing"}},
+      {"tools/verify",
+       {"common", "agents/region", "coordinator/forecast", "coordinator/ambiguity", "coordinator/balancing",
+        "coordinator/planning", "tools/samples"}},
       {"experiments",
        {"common", "agents/protocol", "agents/city", "agents/region", "coordinator/planning", "faults/schedule",
         "experiments/scenario", "experiments/conductor", "experiments/metrics", "experiments/record", "tools/ingest",
-        "tools/fit", "tools/report"}},
+        "tools/fit", "tools/report", "tools/verify"}},
   };
   return table;
 }

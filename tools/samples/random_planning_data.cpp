@@ -1,4 +1,4 @@
-#include "tests/balancing/random_planning_data.hpp"
+#include "tools/samples/random_planning_data.hpp"
 
 #include "common/random.hpp"
 

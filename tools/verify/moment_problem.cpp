@@ -1,0 +1,58 @@
+#include "tools/verify/moment_problem.hpp"
+
+#include "common/error.hpp"
+
+#include <coin/ClpSimplex.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace evbal {
+
+double moment_problem(double d, double sigma, double g1, double g2) {
+  constexpr double enough = 1e-8;
+  constexpr int max_points = 200;
+  constexpr double far = 1e4;  // in either direction, while the multipliers are still flat
+  // In units of sigma. Rows: weights, mean, second moment.
+  const double at = d / sigma;
+  const double mean = std::sqrt(g1);
+  const double low[] = {1.0, -mean, -COIN_DBL_MAX};
+  const double high[] = {1.0, mean, g2};
+  ClpSimplex clp;
+  clp.setLogLevel(0);
+  clp.scaling(0);
+  clp.setPrimalTolerance(1e-10);
+  clp.setDualTolerance(1e-10);
+  clp.resize(3, 0);
+  for (int row = 0; row < 3; ++row) {
+    clp.setRowBounds(row, low[row], high[row]);
+  }
+  const auto add_point = [&](double x) {
+    const int rows[] = {0, 1, 2};
+    const double moments[] = {1.0, x, x * x};
+    clp.addColumn(3, rows, moments, 0.0, COIN_DBL_MAX, -std::max(0.0, x - at));
+  };
+  for (const double x : {0.0, at, -std::sqrt(g2), std::sqrt(g2)}) {
+    add_point(x);
+  }
+  for (int point = 0; point < max_points; ++point) {
+    clp.primal();
+    if (!clp.isProvenOptimal()) {
+      throw run_failed("Clp finds no optimum of a moment problem");
+    }
+    const double* y = clp.dualRowSolution();
+    const double curve = std::max(-y[2], 1e-12);
+    // What a unit of weight at x gains; it peaks once on either side of d.
+    const auto gain = [&](double x) { return std::max(0.0, x - at) + y[0] + y[1] * x + y[2] * x * x; };
+    const double left = std::clamp(y[1] / (2.0 * curve), -far, far);
+    const double right = std::clamp((1.0 + y[1]) / (2.0 * curve), -far, far);
+    const double best = gain(left) > gain(right) ? left : right;
+    if (gain(best) <= enough) {
+      return -clp.objectiveValue() * sigma;
+    }
+    add_point(best);
+  }
+  throw run_failed("a moment problem does not settle");
+}
+
+}  // namespace evbal
