@@ -42,7 +42,7 @@ Decision Ladder::decide(const PlanningData& data) {
     }
     reason += "; " + nominal + ": " + second.certificate.why_not;
   }
-  return unsolved(data, std::move(reason));
+  return unsolved(data, reason);
 }
 
 Decision Ladder::solved(BalancingResult result, FallbackLevel level, std::string reason) {
@@ -63,7 +63,7 @@ Decision Ladder::solved(BalancingResult result, FallbackLevel level, std::string
            .iterations = certificate.iterations}};
 }
 
-Decision Ladder::unsolved(const PlanningData& data, std::string reason) {
+Decision Ladder::unsolved(const PlanningData& data, const std::string& reason) {
   ++failures_in_a_row_;
   const std::size_t step = next_step_++;
   Decision decision;

@@ -30,7 +30,7 @@ class Ladder {
 
  private:
   Decision solved(BalancingResult result, FallbackLevel level, std::string reason);
-  Decision unsolved(const PlanningData& data, std::string reason);
+  Decision unsolved(const PlanningData& data, const std::string& reason);
 
   std::string controller_;
   Balancer balancer_;

@@ -68,7 +68,8 @@ MomentSet free_points(const std::vector<Report>& reports, int minute, int step,
   set.factors.resize(set.mean.size(), 0);
   for (Eigen::Index entry = 0; entry < set.mean.size(); ++entry) {
     const Report& report = reports[static_cast<std::size_t>(entry % n)];
-    const double until = static_cast<double>(minute + step * (1 + entry / n));
+    const Eigen::Index lead = entry / n + 1;
+    const auto until = static_cast<double>(minute + step * lead);
     double mean = std::max(0, report.points - report.plugged);
     double variance = 0.0;
     for (const int since : report.plugged_since) {
