@@ -62,8 +62,9 @@ std::vector<Flow> least_travel_and_wait(const BalancingParameters& parameters, c
   Eigen::VectorXd queue = data.state.low_battery + data.state.arriving_low_battery.rowwise().sum();
   std::map<std::pair<int, int>, double> sent;
   for (int from = 0; from < data.km.rows(); ++from) {
-    for (double left = data.state.low_battery(from); left > 0.0; left -= 1.0) {
-      const double car = std::min(1.0, left);
+    const double waiting = data.state.low_battery(from);
+    for (int sent_before = 0; sent_before < waiting; ++sent_before) {
+      const double car = std::min(1.0, waiting - sent_before);
       queue(from) -= car;
       int best = from;
       double least = station[static_cast<std::size_t>(from)] ? expected_wait(data, from, queue(from)) : HUGE_VAL;
