@@ -75,6 +75,8 @@ LinearRelaxation::LinearRelaxation(const ConvexProgram& program)
   // Shares of a transition go down to nothing, and geometric scaling makes them loud: with it Clp 1.17 stops at points
   // up to 8 % off and calls them optimal, and takes five times as long. Vehicles and km are of one size as they are.
   clp_->scaling(0);
+  // Where a curve falls by thousands a vehicle, the default of 1e-7 vehicles costs more than a gap of 1e-6 allows.
+  clp_->setPrimalTolerance(1e-9);
   clp_->loadProblem(matrix_of(program), lower.data(), upper.data(), cost.data(), clp_bounds(program.row_low()).data(),
                     clp_bounds(program.row_high()).data());
 }

@@ -1,5 +1,6 @@
 #include "coordinator/balancing/cuts_engine.hpp"
 
+#include "coordinator/balancing/controllers.hpp"
 #include "coordinator/balancing/formulation.hpp"
 #include "tools/samples/random_planning_data.hpp"
 
@@ -58,6 +59,15 @@ TEST(CutsEngine, FindsTheLeastNorm) {
   ASSERT_TRUE(solution.certificate.optimal) << solution.certificate.why_not;
   EXPECT_NEAR(solution.certificate.objective, 3.0 * std::sqrt(20.0), 2e-5);
   EXPECT_NEAR(solution.x(0), 4.0, 0.05);
+}
+
+// r_hat / (S + 1/2) falls by thousands a vehicle where demand is high and cars are few.
+TEST(CutsEngine, SettlesOnSteepCurves) {
+  auto data = random_planning_data(60, {.regions = 21, .tau = 1, .rank = 0, .vehicles_per_region = 100.0});
+  data.demand.mean *= 10.0;
+  const auto certificate = balance("ratio", {}, data, {.name = "cuts"}).certificate;
+  EXPECT_TRUE(certificate.optimal) << certificate.why_not;
+  EXPECT_LT(certificate.iterations, 20);
 }
 
 TEST(CutsEngine, SaysThatNoPointIsFeasible) {
