@@ -20,7 +20,8 @@ std::vector<std::string> solving_controllers() {
 }
 
 double optimum(const std::string& controller, const PlanningData& data, const BalancingParameters& parameters) {
-  const auto certificate = balance(controller, parameters, data, {}).certificate;
+  const EngineSettings engine{.name = *rc::gen::elementOf(engine_names())};
+  const auto certificate = balance(controller, parameters, data, engine).certificate;
   RC_ASSERT(certificate.optimal);
   return certificate.objective;
 }

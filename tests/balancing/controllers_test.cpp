@@ -54,7 +54,6 @@ TEST_P(EveryEngine, FindsACertifiedOptimum) {
 }
 
 TEST_P(EveryEngine, StaysFeasibleInExtremes) {
-  const DataShape shape{.regions = 6, .tau = 3};
   const std::vector<std::pair<std::string, std::function<void(PlanningData&)>>> extremes = {
       {"demand x 10", [](PlanningData& d) { d.demand.mean *= 10.0; }},
       {"no demand", [](PlanningData& d) { d.demand.mean.setZero(); }},
@@ -89,11 +88,14 @@ TEST_P(EveryEngine, StaysFeasibleInExtremes) {
       {"huge thresholds", [](PlanningData& d) { d.completions.g1 = d.completions.g2 = 1e4; }},
   };
   for (const auto& [what, spoil] : extremes) {
-    auto data = random_planning_data(5, shape);
-    spoil(data);
-    for (const auto& controller : controller_names()) {
-      const auto certificate = balance(controller, {}, data, engine()).certificate;
-      EXPECT_TRUE(certificate.optimal) << what << ", " << controller << ": " << certificate.why_not;
+    for (const int tau : {1, 3}) {
+      auto data = random_planning_data(5, {.regions = 6, .tau = tau});
+      spoil(data);
+      for (const auto& controller : controller_names()) {
+        const auto certificate = balance(controller, {}, data, engine()).certificate;
+        EXPECT_TRUE(certificate.optimal) << what << ", " << controller << " over " << tau
+                                         << " steps: " << certificate.why_not;
+      }
     }
   }
 }
@@ -279,6 +281,16 @@ TEST(Controllers, RefuseByName) {
   EXPECT_TRUE(refusal([](auto&, auto& p) { p.variance_linear = {-1.0}; }).starts_with("parameter variance_linear"));
   EXPECT_TRUE(refusal([](auto& d, auto&) { d.points(1, 1) = -2.0; }).starts_with("points of region 1, step 1"));
   EXPECT_TRUE(refusal([](auto&, auto& p) { p.a = 0.0; }).starts_with("parameter a"));
+}
+
+TEST(Controllers, AllRefuseACovarianceThatIsNone) {
+  auto data = random_planning_data(1, {.regions = 4});
+  data.completions.factors(2, 0) = std::nan("");
+  for (const auto& controller : controller_names()) {
+    const auto certificate = balance(controller, {}, data, {}).certificate;
+    EXPECT_FALSE(certificate.optimal) << controller;
+    EXPECT_TRUE(certificate.why_not.starts_with("completions, factor 0 of region 2")) << certificate.why_not;
+  }
 }
 
 TEST(Controllers, SayWhyASolveFailed) {
