@@ -57,7 +57,7 @@ constexpr std::array controllers = {
     Controller{"scenario", optimum<Switches{Shortage::band, Belief::samples, Belief::mean}>},
     Controller{"ratio", optimum<Switches{Shortage::ratio, Belief::mean, Belief::mean}>},
     Controller{"turnover", optimum<Switches{Shortage::turnover, Belief::counts, Belief::mean}>},
-    Controller{"oracle", optimum<Switches{Shortage::turnover, Belief::mean, Belief::mean}>},
+    Controller{"oracle", optimum<Switches{Shortage::turnover, Belief::counts, Belief::mean}>},  // on true forecasts
 };
 
 }  // namespace
