@@ -14,11 +14,12 @@ namespace {
 
 // Measured on this problem: Mehrotra's predictor-corrector takes about half the iterations of the default, and the
 // fill-in of MUMPS's approximate minimum fill (2) is the least of its orderings.
-void configure(Ipopt::IpoptApplication& application, int max_iterations) {
+void configure(Ipopt::IpoptApplication& application, const char* mehrotra, int max_iterations) {
   auto& options = *application.Options();
   options.SetStringValue("sb", "yes");
   options.SetIntegerValue("print_level", 0);
   options.SetStringValue("mu_strategy", "adaptive");
+  options.SetStringValue("mehrotra_algorithm", mehrotra);
   options.SetStringValue("linear_solver", "mumps");
   options.SetIntegerValue("mumps_pivot_order", 2);
   options.SetNumericValue("mumps_pivtol", 1e-2);  // at the default 1e-6 one solve in a hundred never settles
@@ -40,8 +41,7 @@ struct Attempt {
 Attempt attempt(const ConvexProgram& program, const char* mehrotra, int max_iterations) {
   Ipopt::SmartPtr<IpoptNlp> nlp = new IpoptNlp(program);
   Ipopt::SmartPtr<Ipopt::IpoptApplication> application = IpoptApplicationFactory();
-  configure(*application, max_iterations);
-  application->Options()->SetStringValue("mehrotra_algorithm", mehrotra);
+  configure(*application, mehrotra, max_iterations);
   application->Initialize("");
   const auto status = application->OptimizeTNLP(nlp);
   const int iterations = IsValid(application->Statistics()) ? application->Statistics()->IterationCount() : 0;
