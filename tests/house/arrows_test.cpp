@@ -67,6 +67,7 @@ const std::vector<Room>& rooms() {
       {"tools/verify",
        {"common", "agents/region", "coordinator/forecast", "coordinator/ambiguity", "coordinator/balancing",
         "coordinator/planning", "tools/samples"}},
+      {"tools/bench", {"common", "coordinator/ambiguity", "coordinator/balancing", "tools/samples", "tools/verify"}},
       {"experiments",
        {"common", "agents/protocol", "agents/city", "agents/region", "coordinator/planning", "faults/schedule",
         "experiments/scenario", "experiments/conductor", "experiments/metrics", "experiments/record", "tools/ingest",

@@ -2,6 +2,7 @@
 
 #include "common/random.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -22,10 +23,26 @@ MomentSet moment_set(RandomStream& random, const Eigen::VectorXd& mean, int rank
   return set;
 }
 
-Transitions transitions(RandomStream& random, int regions) {
-  const auto draw = [&] { return matrix(regions, regions, [&] { return std::pow(random.uniform(), 6); }); };
+// 1 where a car gets to in a step, 0 elsewhere.
+Eigen::ArrayXXd reachable(const Eigen::MatrixXd& km, int out_degree) {
+  Eigen::ArrayXXd within = Eigen::ArrayXXd::Ones(km.rows(), km.cols());
+  if (out_degree > 0 && out_degree + 1 < km.cols()) {
+    for (Eigen::Index i = 0; i < km.rows(); ++i) {
+      Eigen::VectorXd sorted = km.row(i).transpose();
+      std::ranges::sort(sorted);
+      within.row(i) = (km.row(i).array() <= sorted(out_degree)).cast<double>();
+    }
+  }
+  return within;
+}
+
+Transitions transitions(RandomStream& random, const Eigen::ArrayXXd& within) {
+  const auto regions = within.rows();
+  const auto draw = [&]() -> Eigen::MatrixXd {
+    return within * matrix(regions, regions, [&] { return std::pow(random.uniform(), 6); }).array();
+  };
   Transitions move{draw(), draw(), 0.05 * draw(), draw(), draw()};
-  move.vacant_to_vacant.diagonal().array() += 0.3 * regions;
+  move.vacant_to_vacant.diagonal().array() += 0.3 * static_cast<double>(regions);
   const Eigen::VectorXd vacant =
       (move.vacant_to_vacant + move.vacant_to_occupied + move.vacant_to_low_battery).rowwise().sum();
   const Eigen::VectorXd occupied = (move.occupied_to_vacant + move.occupied_to_occupied).rowwise().sum();
@@ -80,8 +97,9 @@ PlanningData random_planning_data(std::uint64_t seed, const DataShape& shape) {
   data.free_points = moment_set(random, free.reshaped(), shape.rank);
   data.state.dropoffs_due = 0.5 * data.state.occupied.replicate(1, shape.tau);
   data.same_step_dropoffs = matrix(n, n, [&] { return random.uniform(0.0, 0.8 / n); });
+  const Eigen::ArrayXXd within = reachable(data.km, shape.out_degree);
   for (int k = 0; k < shape.tau; ++k) {
-    data.transitions.push_back(transitions(random, n));
+    data.transitions.push_back(transitions(random, within));
   }
   return data;
 }

@@ -5,6 +5,7 @@
 #include <coin/ClpSimplex.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace evbal {
@@ -16,21 +17,21 @@ double moment_problem(double d, double sigma, double g1, double g2) {
   // In units of sigma. Rows: weights, mean, second moment.
   const double at = d / sigma;
   const double mean = std::sqrt(g1);
-  const double low[] = {1.0, -mean, -COIN_DBL_MAX};
-  const double high[] = {1.0, mean, g2};
+  const std::array low = {1.0, -mean, -COIN_DBL_MAX};
+  const std::array high = {1.0, mean, g2};
   ClpSimplex clp;
   clp.setLogLevel(0);
   clp.scaling(0);
   clp.setPrimalTolerance(1e-10);
   clp.setDualTolerance(1e-10);
   clp.resize(3, 0);
-  for (int row = 0; row < 3; ++row) {
-    clp.setRowBounds(row, low[row], high[row]);
+  for (std::size_t row = 0; row < low.size(); ++row) {
+    clp.setRowBounds(static_cast<int>(row), low[row], high[row]);
   }
   const auto add_point = [&](double x) {
-    const int rows[] = {0, 1, 2};
-    const double moments[] = {1.0, x, x * x};
-    clp.addColumn(3, rows, moments, 0.0, COIN_DBL_MAX, -std::max(0.0, x - at));
+    const std::array rows = {0, 1, 2};
+    const std::array moments = {1.0, x, x * x};
+    clp.addColumn(3, rows.data(), moments.data(), 0.0, COIN_DBL_MAX, -std::max(0.0, x - at));
   };
   for (const double x : {0.0, at, -std::sqrt(g2), std::sqrt(g2)}) {
     add_point(x);
