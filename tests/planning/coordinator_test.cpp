@@ -110,6 +110,7 @@ TEST(Coordinator, RefusesReportsThatAreNotThoseOfTheTick) {
 TEST(Coordinator, RefusesAModelThatDoesNotFit) {
   City four = testing::small_city();
   four.regions.resize(4);
+  four.km = four.minutes = Eigen::MatrixXd::Ones(4, 4);
   EXPECT_THROW(Coordinator(four, {}, date, {}, testing::small_model(), Spy{}), Error);
   PlanningSettings far;
   far.balancing.tau = 3;
