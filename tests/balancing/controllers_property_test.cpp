@@ -1,6 +1,7 @@
 // What must hold of every controller that solves the balancing problem, whatever the data.
 
 #include "coordinator/balancing/controllers.hpp"
+#include "tests/balancing/solving_controllers.hpp"
 #include "tools/samples/random_planning_data.hpp"
 
 #include <gtest/gtest.h>
@@ -11,13 +12,6 @@
 
 namespace evbal {
 namespace {
-
-std::vector<std::string> solving_controllers() {
-  auto names = controller_names();
-  std::erase(names, "none");
-  std::erase(names, "greedy");
-  return names;
-}
 
 double optimum(const std::string& controller, const PlanningData& data, const BalancingParameters& parameters) {
   const EngineSettings engine{.name = *rc::gen::elementOf(engine_names())};

@@ -2,6 +2,7 @@
 
 #include "coordinator/balancing/formulation.hpp"
 #include "coordinator/balancing/worst_case.hpp"
+#include "tests/balancing/solving_controllers.hpp"
 #include "tools/samples/random_planning_data.hpp"
 
 #include <Eigen/Cholesky>
@@ -15,13 +16,6 @@
 
 namespace evbal {
 namespace {
-
-std::vector<std::string> solving_controllers() {
-  auto names = controller_names();
-  std::erase(names, "none");
-  std::erase(names, "greedy");
-  return names;
-}
 
 const std::vector<std::string> solving = solving_controllers();
 
