@@ -5,6 +5,7 @@
 #include <Eigen/Cholesky>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstdio>
@@ -33,9 +34,9 @@ class SemidefiniteProgram {
   void entry(int variable, int block, Eigen::Index row, Eigen::Index column, double value) {
     assert(row <= column);
     if (value != 0.0) {
-      char line[96];
-      std::snprintf(line, sizeof line, "%d %d %td %td %.17g\n", variable, block, row + 1, column + 1, value);
-      entries_ += line;
+      std::array<char, 96> line{};
+      std::snprintf(line.data(), line.size(), "%d %d %td %td %.17g\n", variable, block, row + 1, column + 1, value);
+      entries_ += line.data();
     }
   }
 
