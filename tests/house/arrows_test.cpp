@@ -91,6 +91,7 @@ const std::vector<Reserved>& reserved() {
       {"IpIpopt", {"coordinator/balancing"}},
       {"yaml-cpp/", {"common"}},
       {"Random123/", {"common"}},
+      {"nlopt", {"coordinator/forecast"}},
       {"SQLiteCpp/", {"experiments/record"}},
   };
   return table;
