@@ -131,9 +131,10 @@ OutlineMap::Nearest OutlineMap::nearest(LatLon point) const {
   return best;
 }
 
-std::vector<Outline> outlines_of(const City& city) {
+std::vector<Outline> outlines_of(const std::vector<Region>& regions) {
   std::vector<Outline> outlines;
-  for (const auto& region : city.regions) {
+  outlines.reserve(regions.size());
+  for (const auto& region : regions) {
     outlines.push_back(region.outline);
   }
   return outlines;

@@ -59,7 +59,7 @@ class OutlineMap {
   std::unique_ptr<const Rings> rings_;
 };
 
-/// Outlines of a city's regions, by region.
-std::vector<Outline> outlines_of(const City& city);
+/// Outlines by region.
+std::vector<Outline> outlines_of(const std::vector<Region>& regions);
 
 }  // namespace evbal

@@ -20,4 +20,7 @@ FleetAssumption read_fleet(const YamlValue& value);
 /// The map of `passengers`.
 PassengerAssumption read_passengers(const YamlValue& value);
 
+/// The list of `stations`, whose regions are named as in `regions`.
+std::vector<Station> read_stations(const YamlValue& value, const std::vector<Region>& regions);
+
 }  // namespace evbal

@@ -1,35 +1,14 @@
 #include "agents/city/city.hpp"
+#include "agents/city/pack_text.hpp"
+#include "agents/city/regions_file.hpp"
 #include "agents/city/table.hpp"
+#include "common/new_folder.hpp"
 
 #include <cassert>
-#include <fstream>
 #include <sstream>
 
 namespace evbal {
 namespace {
-
-namespace fs = std::filesystem;
-
-/// A text as JSON and YAML both read it.
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') {
-      out += '\\';
-    }
-    out += c == '\n' ? ' ' : c;
-  }
-  return out + "\"";
-}
-
-template <class Items, class Show>
-std::string list(const Items& items, Show show) {
-  std::string out = "[";
-  for (const auto& item : items) {
-    out += (out.size() > 1 ? ", " : "") + show(item);
-  }
-  return out + "]";
-}
 
 std::string dates(const std::vector<std::string>& days) {
   return list(days, [](const std::string& date) { return date; });
@@ -42,10 +21,6 @@ std::string minutes(double amount) {
 std::string time_of_day(int minute) {
   const auto two = [](int number) { return (number < 10 ? "0" : "") + std::to_string(number); };
   return "\"" + two(minute / 60) + ":" + two(minute % 60) + "\"";
-}
-
-std::string position(LatLon point) {
-  return "[" + decimal(point.lon) + ", " + decimal(point.lat) + "]";
 }
 
 /// `regions` comes last: a truncated file lacks it.
@@ -72,33 +47,8 @@ std::string city_yaml(const City& city) {
       << "passengers:\n"
       << "  patience: [" << minutes(city.passengers.patience_low) << ", " << minutes(city.passengers.patience_high)
       << "]\n"
-      << "stations:" << (city.stations.empty() ? " []" : "") << "\n";
-  for (const auto& station : city.stations) {
-    out << "  - {name: " << quoted(station.name) << ", region: " << quoted(city.regions[station.region].name)
-        << ", points: " << station.points << ", lat: " << decimal(station.place.lat)
-        << ", lon: " << decimal(station.place.lon) << "}\n";
-  }
-  out << "regions: " << city.size() << "\n";
+      << stations_yaml(city.stations, city.regions) << "regions: " << city.size() << "\n";
   return out.str();
-}
-
-/// One polygon of a MultiPolygon, closed.
-std::string polygon(const std::vector<LatLon>& ring) {
-  std::vector<LatLon> closed = ring;
-  closed.push_back(ring.front());
-  return "[" + list(closed, position) + "]";
-}
-
-std::string regions_geojson(const City& city) {
-  std::string out = "{\"type\": \"FeatureCollection\", \"features\": [\n";
-  for (int i = 0; i < city.size(); ++i) {
-    const Region& region = city.regions[i];
-    out += "{\"type\": \"Feature\", \"properties\": {\"name\": " + quoted(region.name) +
-           ", \"centroid\": " + position(region.centroid) +
-           "}, \"geometry\": {\"type\": \"MultiPolygon\", \"coordinates\": " + list(region.outline, polygon) + "}}" +
-           (i + 1 < city.size() ? ",\n" : "\n");
-  }
-  return out + "]}\n";
 }
 
 std::string travel_csv(const City& city) {
@@ -126,47 +76,20 @@ std::string demand_csv(const DemandDay& day) {
   return out + "end,,," + std::to_string(total) + "\n";
 }
 
-void write_file(const fs::path& file, const std::string& text) {
-  std::ofstream out(file, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) {
-    throw run_failed(file.string() + ": cannot be written");
-  }
-}
-
-void write_files(const City& city, const std::vector<DemandDay>& days, const fs::path& folder) {
-  fs::create_directories(folder / "demand");
-  write_file(folder / "city.yaml", city_yaml(city));
-  write_file(folder / "regions.geojson", regions_geojson(city));
-  write_file(folder / "travel.csv", travel_csv(city));
-  for (const auto& day : days) {
-    write_file(folder / "demand" / (day.date + ".csv"), demand_csv(day));
-  }
-}
-
 }  // namespace
 
-void write_city(const City& city, const std::vector<DemandDay>& days, const fs::path& folder) {
+void write_city(const City& city, const std::vector<DemandDay>& days, const std::filesystem::path& folder) {
   assert(city.days.size() == days.size());
-  const fs::path target = fs::absolute(folder / "").lexically_normal().parent_path();
-  if (fs::exists(target) && !(fs::is_directory(target) && fs::is_empty(target))) {
-    throw bad_input(folder.string(), 0, "exists and is not an empty folder; give a new one");
+  NewFolder pack(folder);
+  std::error_code ignored;  // the files would say
+  std::filesystem::create_directory(pack.path() / "demand", ignored);
+  write_text(pack.path() / "city.yaml", city_yaml(city));
+  write_text(pack.path() / "regions.geojson", regions_geojson(city.regions));
+  write_text(pack.path() / "travel.csv", travel_csv(city));
+  for (const auto& day : days) {
+    write_text(pack.path() / "demand" / (day.date + ".csv"), demand_csv(day));
   }
-  const fs::path partial = target.string() + ".partial";
-  try {
-    fs::remove_all(partial);
-    write_files(city, days, partial);
-    fs::rename(partial, target);
-  } catch (const fs::filesystem_error& error) {
-    std::error_code ignored;
-    fs::remove_all(partial, ignored);
-    throw run_failed(folder.string() + ": cannot be written: " + error.code().message());
-  } catch (const Error&) {
-    std::error_code ignored;
-    fs::remove_all(partial, ignored);
-    throw;
-  }
+  pack.keep();
 }
 
 }  // namespace evbal
