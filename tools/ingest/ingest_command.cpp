@@ -1,7 +1,12 @@
 #include "tools/ingest/ingest_command.hpp"
 
+#include "agents/city/pack_text.hpp"
+#include "agents/city/regions_file.hpp"
 #include "agents/city/synthetic.hpp"
 #include "common/error.hpp"
+#include "common/new_folder.hpp"
+#include "tools/ingest/ingest_partition.hpp"
+#include "tools/ingest/ingest_stations.hpp"
 #include "tools/ingest/ingest_trips.hpp"
 
 #include <CLI/CLI.hpp>
@@ -75,11 +80,66 @@ void add_trips(CLI::App& ingest) {
   });
 }
 
+void add_partition(CLI::App& ingest) {
+  struct Arguments {
+    std::string zones;
+    ZoneFields fields;
+    int regions = 0;
+    std::string out;
+  };
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = ingest.add_subcommand("partition", "Merge polygons into regions");
+  command->add_option("--zones", arguments->zones, "Polygons: GeoJSON, plain or .gz, or a shapefile")->required();
+  command->add_option("--regions", arguments->regions, "Number of regions")->required()->check(CLI::Range(1, 5000));
+  command->add_option("--weight", arguments->fields.weight, "Field of the polygons that is balanced; else their area");
+  command->add_option("--name", arguments->fields.name, "Field that names them in zones.csv; else their position");
+  command->add_option("--out", arguments->out, "New folder for regions.geojson and zones.csv")->required();
+  command->callback([arguments] {
+    NewFolder folder(arguments->out);
+    const Partition made = ingest_partition(arguments->zones, arguments->fields, arguments->regions);
+    write_text(folder.path() / "regions.geojson", regions_geojson(made.regions));
+    write_text(folder.path() / "zones.csv", zones_csv(made));
+    folder.keep();
+    std::cout << made.report << "wrote " << arguments->out << "\n";
+  });
+}
+
+void add_stations(CLI::App& ingest) {
+  struct Arguments {
+    StationSources sources;
+    std::string regions;
+    double snap_m = 500.0;
+    std::string out;
+  };
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = ingest.add_subcommand("stations", "Put charging stations into the regions that they lie in");
+  command->add_option("--stations", arguments->sources.table, "Table of stations, .csv, plain or compressed")
+      ->required();
+  command->add_option("--format", arguments->sources.format, "YAML of where its columns are")->required();
+  command->add_option("--regions", arguments->regions, "regions.geojson of a pack or of `ingest partition`")
+      ->required();
+  command->add_option("--snap", arguments->snap_m, "Metres outside all regions up to which the nearest takes a station")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1e5));
+  command->add_option("--out", arguments->out, "New YAML file with the list `stations`")->required();
+  command->callback([arguments] {
+    if (std::filesystem::exists(arguments->out)) {
+      throw bad_input(arguments->out, 0, "exists; give a new file");
+    }
+    const std::vector<Region> regions = read_regions(arguments->regions);
+    const IngestedStations made = ingest_stations(arguments->sources, regions, arguments->snap_m);
+    write_text(arguments->out, stations_yaml(made.stations, regions));
+    std::cout << made.report << "wrote " << arguments->out << "\n";
+  });
+}
+
 }  // namespace
 
 void add_ingest_command(CLI::App& app) {
   CLI::App* ingest = app.add_subcommand("ingest", "Make a city pack from raw records or from a seed");
   ingest->require_subcommand(1);
+  add_partition(*ingest);
+  add_stations(*ingest);
   add_trips(*ingest);
   add_synthetic(*ingest);
 }

@@ -2,6 +2,7 @@
 
 #include "common/error.hpp"
 #include "tools/ingest/partition.hpp"
+#include "tools/ingest/shared_borders.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -40,16 +41,16 @@ std::vector<int> zones_apart(const std::vector<Zone>& zones, const CityNotes& no
 }
 
 /// The chosen zones as a graph of their own.
-ZoneGraph graph_of(const std::vector<Zone>& zones, const ZoneWeights& weights, const std::vector<int>& chosen,
-                   const std::vector<std::vector<int>>& neighbours) {
+ZoneGraph graph_of(const std::vector<Zone>& zones, const std::vector<double>& weights, LatLon middle,
+                   const std::vector<int>& chosen, const std::vector<std::vector<int>>& neighbours) {
   std::vector<int> position(zones.size(), -1);
   for (std::size_t p = 0; p < chosen.size(); ++p) {
     position[chosen[p]] = static_cast<int>(p);
   }
-  const LocalFrame frame(weights.mean_pickup);
+  const LocalFrame frame(middle);
   ZoneGraph graph;
   for (const int z : chosen) {
-    graph.weight.push_back(weights.pickups[z]);
+    graph.weight.push_back(weights[z]);
     graph.area.push_back(std::max(1.0, zones[z].area_m2));
     graph.centre.push_back(frame.local(zones[z].centre));
     auto& near = graph.neighbours.emplace_back();
@@ -85,6 +86,15 @@ std::vector<int> north_to_south(const ZoneGraph& graph, const std::vector<int>& 
   return renumbered;
 }
 
+/// "r01", "r02", ...
+std::vector<std::string> numbered_names(int parts) {
+  std::vector<std::string> names;
+  for (int r = 1; r <= parts; ++r) {
+    names.push_back((r < 10 ? "r0" : "r") + std::to_string(r));
+  }
+  return names;
+}
+
 }  // namespace
 
 MergedZones merge_zones(const std::vector<Zone>& zones, const ZoneWeights& weights, const CityNotes& notes,
@@ -103,21 +113,33 @@ MergedZones merge_zones(const std::vector<Zone>& zones, const ZoneWeights& weigh
     throw bad_input("cannot make " + std::to_string(regions) + " regions, " + std::to_string(apart.size()) +
                     " of them apart, of " + std::to_string(chosen.size()) + " zones within reach");
   }
-  const ZoneGraph graph = graph_of(zones, weights, chosen, neighbours);
+  const ZoneGraph graph = graph_of(zones, weights.pickups, weights.mean_pickup, chosen, neighbours);
   const std::vector<int> part = north_to_south(graph, partition(graph, parts), parts);
 
   MergedZones merged{std::vector<int>(zones.size(), -1), {}};
   for (std::size_t p = 0; p < chosen.size(); ++p) {
     merged.region_of[chosen[p]] = part[p];
   }
-  for (int r = 0; r < parts; ++r) {
-    merged.names.push_back((r < 9 ? "r0" : "r") + std::to_string(r + 1));
-  }
+  merged.names = numbered_names(parts);
   for (std::size_t a = 0; a < apart.size(); ++a) {
     merged.region_of[apart[a]] = parts + static_cast<int>(a);
     merged.names.push_back(notes.apart[a].name);
   }
   return merged;
+}
+
+MergedZones merge_all_zones(const std::vector<Zone>& zones, int regions) {
+  const auto n = static_cast<int>(zones.size());
+  if (regions < 1 || n < regions) {
+    throw bad_input("cannot make " + std::to_string(regions) + " regions of " + std::to_string(n) + " zones");
+  }
+  std::vector<double> weights;
+  std::transform(zones.begin(), zones.end(), std::back_inserter(weights), [](const Zone& zone) { return zone.weight; });
+  std::vector<int> all(zones.size());
+  std::iota(all.begin(), all.end(), 0);
+  ZoneGraph graph = graph_of(zones, weights, zones.front().centre, all, neighbours_of(zones));
+  connect_nearest(graph.centre, graph.neighbours);
+  return {north_to_south(graph, partition(graph, regions), regions), numbered_names(regions)};
 }
 
 }  // namespace evbal

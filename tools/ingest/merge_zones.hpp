@@ -24,4 +24,8 @@ struct MergedZones {
 MergedZones merge_zones(const std::vector<Zone>& zones, const ZoneWeights& weights, const CityNotes& notes,
                         int regions);
 
+/// Merges all zones by Zone::weight, those on islands with the nearest. Regions from north to south. Throws
+/// Error{bad_input} if there are fewer zones than regions.
+MergedZones merge_all_zones(const std::vector<Zone>& zones, int regions);
+
 }  // namespace evbal

@@ -1,7 +1,7 @@
 #include "tools/ingest/sessions.hpp"
 
 #include "agents/city/table.hpp"
-#include "tools/ingest/lines.hpp"
+#include "tools/records/lines.hpp"
 
 #include <algorithm>
 #include <cassert>

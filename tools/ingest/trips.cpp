@@ -2,7 +2,7 @@
 
 #include "agents/city/geometry.hpp"
 #include "agents/city/table.hpp"
-#include "tools/ingest/lines.hpp"
+#include "tools/records/lines.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -1,9 +1,7 @@
 #include "tools/ingest/zones.hpp"
 
 #include "common/error.hpp"
-#include "tools/ingest/lines.hpp"
-
-#include <nlohmann/json.hpp>
+#include "tools/ingest/read_zones.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,47 +11,48 @@
 namespace evbal {
 namespace {
 
-using nlohmann::json;
-
 constexpr double kPerDegree = 1e6;
 constexpr double kMetresPerDegree = 111'195.0;  // of latitude, mean earth
 
-std::vector<Corner> read_ring(const json& positions) {
-  std::vector<Corner> ring;
-  for (const auto& position : positions) {
-    const auto lon = position.at(0).get<double>();
-    const auto lat = position.at(1).get<double>();
-    if (std::abs(lat) > 90.0 || std::abs(lon) > 180.0) {
-      throw bad_input("a position is not in degrees (WGS84)");
-    }
-    const Corner corner{static_cast<int>(std::lround(lat * kPerDegree)),
-                        static_cast<int>(std::lround(lon * kPerDegree))};
-    if (ring.empty() || corner != ring.back()) {
-      ring.push_back(corner);
-    }
-  }
-  while (ring.size() > 1 && ring.front() == ring.back()) {
-    ring.pop_back();
-  }
-  return ring;
+}  // namespace
+
+LatLon point_of(Corner corner) {
+  return {corner.lat / kPerDegree, corner.lon / kPerDegree};
 }
 
-/// Adds a polygon's rings, turned to their sense of rotation.
-void add_polygon(const json& rings, Zone& zone) {
-  for (std::size_t r = 0; r < rings.size(); ++r) {
-    auto ring = read_ring(rings[r]);
-    if (ring.size() < 3) {
-      continue;
-    }
-    if ((signed_area(ring) > 0.0) != (r == 0)) {
-      std::reverse(ring.begin(), ring.end());
-    }
-    zone.rings.push_back(std::move(ring));
+double signed_area(const std::vector<Corner>& ring) {
+  double twice = 0.0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Corner& a = ring[i];
+    const Corner& b = ring[(i + 1) % ring.size()];
+    twice += static_cast<double>(static_cast<long long>(a.lon) * b.lat - static_cast<long long>(b.lon) * a.lat);
   }
+  return twice;
 }
 
-/// Area and its centre by the shoelace formula, in degrees: zones are small.
+void add_ring(Zone& zone, const std::vector<LatLon>& ring, bool hole) {
+  std::vector<Corner> corners;
+  for (const LatLon point : ring) {
+    const Corner corner{static_cast<int>(std::lround(point.lat * kPerDegree)),
+                        static_cast<int>(std::lround(point.lon * kPerDegree))};
+    if (corners.empty() || corner != corners.back()) {
+      corners.push_back(corner);
+    }
+  }
+  while (corners.size() > 1 && corners.front() == corners.back()) {
+    corners.pop_back();
+  }
+  if (corners.size() < 3) {
+    return;
+  }
+  if ((signed_area(corners) > 0.0) == hole) {
+    std::reverse(corners.begin(), corners.end());
+  }
+  zone.rings.push_back(std::move(corners));
+}
+
 void measure(Zone& zone) {
+  // The shoelace formula, in degrees: zones are small.
   const Corner origin = zone.rings.front().front();
   double area = 0.0;
   double lat = 0.0;
@@ -76,52 +75,9 @@ void measure(Zone& zone) {
   zone.area_m2 = area * kMetresPerDegree * kMetresPerDegree * std::cos(start.lat * std::acos(-1.0) / 180.0);
 }
 
-Zone read_zone(const json& feature) {
-  const json& geometry = feature.at("geometry");
-  const auto& type = geometry.at("type").get_ref<const std::string&>();
-  Zone zone;
-  if (type == "Polygon") {
-    add_polygon(geometry.at("coordinates"), zone);
-  } else if (type == "MultiPolygon") {
-    for (const auto& polygon : geometry.at("coordinates")) {
-      add_polygon(polygon, zone);
-    }
-  } else {
-    throw bad_input("geometry `" + type + "` is neither Polygon nor MultiPolygon");
-  }
-  return zone;
-}
-
-}  // namespace
-
-LatLon point_of(Corner corner) {
-  return {corner.lat / kPerDegree, corner.lon / kPerDegree};
-}
-
-double signed_area(const std::vector<Corner>& ring) {
-  double twice = 0.0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Corner& a = ring[i];
-    const Corner& b = ring[(i + 1) % ring.size()];
-    twice += static_cast<double>(static_cast<long long>(a.lon) * b.lat - static_cast<long long>(b.lon) * a.lat);
-  }
-  return twice;
-}
-
-std::vector<Zone> read_zones(const std::filesystem::path& file) {
-  std::vector<Zone> zones;
-  try {
-    const json collection = json::parse(unpacked_text(file));
-    for (const auto& feature : collection.at("features")) {
-      Zone zone = read_zone(feature);
-      if (!zone.rings.empty()) {
-        measure(zone);
-        zones.push_back(std::move(zone));
-      }
-    }
-  } catch (const json::exception& error) {
-    throw bad_input(file.string(), 0, std::string("is no GeoJSON FeatureCollection of polygons: ") + error.what());
-  }
+std::vector<Zone> read_zones(const std::filesystem::path& file, const ZoneFields& fields) {
+  const bool shapefile = file.extension() == ".shp";
+  std::vector<Zone> zones = shapefile ? read_shapefile_zones(file, fields) : read_geojson_zones(file, fields);
   if (zones.empty()) {
     throw bad_input(file.string(), 0, "has no polygon");
   }

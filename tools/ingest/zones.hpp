@@ -4,6 +4,7 @@
 
 #include <compare>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace evbal {
@@ -23,13 +24,28 @@ struct Zone {
   std::vector<std::vector<Corner>> rings;
   LatLon centre;         ///< of the area
   double area_m2 = 0.0;  ///< holes taken off
+  std::string name;      ///< what ZoneFields::name says of it, else its position in the file, from 0
+  double weight = 0.0;   ///< what ZoneFields::weight says of it, else its area
+};
+
+/// Which fields of the file tell a zone's name and weight; empty where none does.
+struct ZoneFields {
+  std::string name;
+  std::string weight;
 };
 
 /// Twice the signed area, in square millionths of a degree; positive if counter-clockwise.
 double signed_area(const std::vector<Corner>& ring);
 
-/// Reads the polygons of a GeoJSON FeatureCollection, plain or compressed. Throws Error{bad_input} if it is none.
-std::vector<Zone> read_zones(const std::filesystem::path& file);
+/// Adds a ring of a polygon, turned to its sense of rotation; leaves out one of less than three corners.
+void add_ring(Zone& zone, const std::vector<LatLon>& ring, bool hole);
+
+/// Sets centre and area from the rings, of which there must be one at least.
+void measure(Zone& zone);
+
+/// Reads the polygons of a shapefile (.shp) or of a GeoJSON FeatureCollection, plain or compressed. Polygons of less
+/// than three corners are left out. Throws Error{bad_input} if it is none, or lacks a field asked for.
+std::vector<Zone> read_zones(const std::filesystem::path& file, const ZoneFields& fields = {});
 
 /// The outer rings of zones, for looking up points.
 std::vector<Outline> outlines_of(const std::vector<Zone>& zones);

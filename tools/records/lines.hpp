@@ -2,6 +2,7 @@
 
 #include "common/error.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -9,11 +10,12 @@
 
 namespace evbal {
 
-/// The lines of a text file, plain or compressed (.gz, .xz, ...), read as a stream: memory does not grow with the
-/// file. Throws Error{bad_input} with file and line if the file is missing, no such text, or truncated.
+/// The lines of a text file, plain or compressed (.gz, .xz, .bz2, .zst), read as a stream: memory does not grow with
+/// the file. Throws Error{bad_input} with file and line if the file is missing, cannot be unpacked, or truncated.
 class LineReader {
  public:
-  explicit LineReader(const std::filesystem::path& file);
+  /// A line of more than `longest` bytes is refused: no text with lines.
+  explicit LineReader(const std::filesystem::path& file, std::size_t longest = SIZE_MAX);
   ~LineReader();
   LineReader(const LineReader&) = delete;
   LineReader& operator=(const LineReader&) = delete;
@@ -28,6 +30,7 @@ class LineReader {
   struct Stream;
   std::unique_ptr<Stream> stream_;
   std::string file_;
+  std::size_t longest_;
   int line_ = 0;
 };
 
@@ -35,10 +38,13 @@ class LineReader {
 std::string unpacked_text(const std::filesystem::path& file);
 
 /// The fields of a line of CSV; a field may stand in double quotes, a doubled quote inside means one.
-std::vector<std::string> split_csv(const std::string& line);
+std::vector<std::string> split_csv(const std::string& line, char separator = ',');
 
 /// The files of a folder whose name ends in one of .csv, .csv.gz, .csv.xz, by name. Throws Error{bad_input} if there
 /// are none.
 std::vector<std::filesystem::path> csv_files(const std::filesystem::path& folder);
+
+/// The same with .txt as well.
+std::vector<std::filesystem::path> text_files(const std::filesystem::path& folder);
 
 }  // namespace evbal

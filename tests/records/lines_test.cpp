@@ -1,4 +1,4 @@
-#include "tools/ingest/lines.hpp"
+#include "tools/records/lines.hpp"
 
 #include "tests/folder.hpp"
 

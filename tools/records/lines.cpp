@@ -1,4 +1,4 @@
-#include "tools/ingest/lines.hpp"
+#include "tools/records/lines.hpp"
 
 #include <archive.h>
 #include <archive_entry.h>
@@ -17,11 +17,21 @@ struct LineReader::Stream {
   std::size_t size = 0;
   std::size_t at = 0;
 
+  bool empty = false;
+
+  std::string complaint() const {
+    const char* text = archive_error_string(opened.get());
+    return text == nullptr ? "is it damaged?" : text;
+  }
+
   /// False at the end of the file.
   bool refill(const LineReader& reader) {
+    if (empty) {
+      return false;
+    }
     const la_ssize_t bytes = archive_read_data(opened.get(), buffer.data(), buffer.size());
     if (bytes < 0) {
-      throw reader.error("cannot be read on: " + std::string(archive_error_string(opened.get())));
+      throw reader.error("cannot be read on: " + complaint());
     }
     size = static_cast<std::size_t>(bytes);
     at = 0;
@@ -29,14 +39,24 @@ struct LineReader::Stream {
   }
 };
 
-LineReader::LineReader(const std::filesystem::path& file) : stream_(std::make_unique<Stream>()), file_(file.string()) {
+LineReader::LineReader(const std::filesystem::path& file, std::size_t longest)
+    : stream_(std::make_unique<Stream>()), file_(file.string()), longest_(longest) {
   archive* opened = stream_->opened.get();
-  archive_read_support_filter_all(opened);
+  // Not all that there are: some start another program.
+  archive_read_support_filter_gzip(opened);
+  archive_read_support_filter_xz(opened);
+  archive_read_support_filter_bzip2(opened);
+  archive_read_support_filter_zstd(opened);
   archive_read_support_format_raw(opened);
+  archive_read_support_format_empty(opened);
   archive_entry* entry = nullptr;
-  if (archive_read_open_filename(opened, file_.c_str(), 1 << 16) != ARCHIVE_OK ||
-      archive_read_next_header(opened, &entry) != ARCHIVE_OK) {
-    throw error("cannot be read: " + std::string(archive_error_string(opened)));
+  if (archive_read_open_filename(opened, file_.c_str(), 1 << 16) != ARCHIVE_OK) {
+    throw error("cannot be read: " + stream_->complaint());
+  }
+  const int header = archive_read_next_header(opened, &entry);
+  stream_->empty = header == ARCHIVE_EOF;
+  if (!stream_->empty && header != ARCHIVE_OK) {
+    throw error("cannot be read: " + stream_->complaint());
   }
 }
 
@@ -51,6 +71,9 @@ bool LineReader::next(std::string& line) {
     const char* end = in.buffer.data() + in.size;
     const char* newline = std::find(begin, end, '\n');
     line.append(begin, newline);
+    if (line.size() > longest_) {
+      throw error("is longer than " + std::to_string(longest_) + " bytes; this is no table");
+    }
     in.at = static_cast<std::size_t>(newline - in.buffer.data());
     if (newline != end) {
       ++in.at;
@@ -77,7 +100,7 @@ std::string unpacked_text(const std::filesystem::path& file) {
   return text;
 }
 
-std::vector<std::string> split_csv(const std::string& line) {
+std::vector<std::string> split_csv(const std::string& line, char separator) {
   std::vector<std::string> fields(1);
   bool in_quotes = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -87,7 +110,7 @@ std::vector<std::string> split_csv(const std::string& line) {
       ++i;
     } else if (c == '"') {
       in_quotes = !in_quotes;
-    } else if (c == ',' && !in_quotes) {
+    } else if (c == separator && !in_quotes) {
       fields.emplace_back();
     } else {
       fields.back() += c;
@@ -96,22 +119,39 @@ std::vector<std::string> split_csv(const std::string& line) {
   return fields;
 }
 
-std::vector<std::filesystem::path> csv_files(const std::filesystem::path& folder) {
+namespace {
+
+/// The files of a folder with one of these endings, plain or compressed, by name.
+std::vector<std::filesystem::path> files_of(const std::filesystem::path& folder,
+                                            const std::vector<std::string>& kinds) {
   if (!std::filesystem::is_directory(folder)) {
     throw bad_input(folder.string(), 0, "is no folder");
   }
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
-    if (name.ends_with(".csv") || name.ends_with(".csv.gz") || name.ends_with(".csv.xz")) {
+    if (std::any_of(kinds.begin(), kinds.end(), [&](const std::string& kind) {
+          return name.ends_with(kind) || name.ends_with(kind + ".gz") || name.ends_with(kind + ".xz");
+        })) {
       files.push_back(entry.path());
     }
   }
   if (files.empty()) {
-    throw bad_input(folder.string(), 0, "has no .csv, .csv.gz or .csv.xz file");
+    throw bad_input(folder.string(), 0,
+                    "has no " + kinds.front() + ", " + kinds.front() + ".gz or " + kinds.front() + ".xz file");
   }
   std::sort(files.begin(), files.end());
   return files;
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> csv_files(const std::filesystem::path& folder) {
+  return files_of(folder, {".csv"});
+}
+
+std::vector<std::filesystem::path> text_files(const std::filesystem::path& folder) {
+  return files_of(folder, {".csv", ".txt"});
 }
 
 }  // namespace evbal

@@ -1,0 +1,85 @@
+#include "tools/ingest/ingest_stations.hpp"
+
+#include "agents/city/geometry.hpp"
+#include "agents/city/pack_text.hpp"
+#include "agents/city/regions_file.hpp"
+#include "common/error.hpp"
+#include "tests/folder.hpp"
+
+#include <gtest/gtest.h>
+
+namespace evbal {
+namespace {
+
+/// Two squares of 0.01 degrees, west and east.
+std::vector<Region> regions() {
+  const auto square = [](double west) {
+    return Outline{{{22.5, west}, {22.5, west + 0.01}, {22.51, west + 0.01}, {22.51, west}}};
+  };
+  return {{"west", square(114.0), {22.505, 114.005}}, {"east", square(114.01), {22.505, 114.015}}};
+}
+
+class IngestStations : public testing::Test {
+ protected:
+  IngestedStations ingest(const std::string& rows) {
+    folder_.write("stations.csv", "id,longitude,latitude,plugs\n" + rows);
+    return ingest_stations({folder_.path() / "stations.csv", folder_.path() / "format.yaml"}, regions(), 500.0);
+  }
+
+  Folder folder_;
+  std::filesystem::path format_ =
+      folder_.write("format.yaml", "columns: {name: id, lat: latitude, lon: longitude, points: plugs}\n");
+};
+
+TEST_F(IngestStations, LieInTheirRegionOrTheNearest) {
+  const auto made = ingest(
+      "b,114.015,22.505,3\n"
+      "a,114.005,22.505,2\n"
+      "\"c, by the sea\",114.021,22.505,1\n"
+      "far,114.05,22.505,1\n"
+      "shut,114.005,22.505,0\n"
+      "b,114.015,22.505,3\n"
+      "torn,114.015\n"
+      "\xFF\xFE,114.015,22.505,3\n"
+      "north,114.015,122.505,3\n");
+  ASSERT_EQ(made.stations.size(), 3U);
+  EXPECT_EQ(made.stations[0].name, "a");
+  EXPECT_EQ(made.stations[0].region, 0);
+  EXPECT_EQ(made.stations[1].name, "b");
+  EXPECT_EQ(made.stations[1].points, 3);
+  EXPECT_EQ(made.stations[2].name, "c, by the sea");
+  EXPECT_EQ(made.stations[2].region, 1);
+  for (const std::string line : {"stations read: 9", "malformed row: 3", "name given before: 1", "no points: 1",
+                                 "outside the regions: 1", "3 with 6 points in 2 of 2 regions", "nearest: 1"}) {
+    EXPECT_NE(made.report.find(line), std::string::npos) << line << " not in\n" << made.report;
+  }
+}
+
+TEST_F(IngestStations, AreWrittenAsAPackHoldsThem) {
+  const auto made = ingest("a,114.005,22.505,2\nb,114.015,22.505,3\n");
+  const auto file = folder_.write("stations.yaml", stations_yaml(made.stations, regions()));
+  const auto read = read_stations(file, regions());
+  ASSERT_EQ(read.size(), 2U);
+  EXPECT_EQ(read[1].name, "b");
+  EXPECT_EQ(read[1].region, 1);
+  EXPECT_EQ(read[1].place.lon, 114.015);
+  const auto regions_file = folder_.write("regions.geojson", regions_geojson(regions()));
+  EXPECT_EQ(read_regions(regions_file)[1].outline[0].size(), 4U);
+}
+
+TEST_F(IngestStations, AreRefusedWithoutTheirColumns) {
+  folder_.write("format.yaml", "columns: {name: id, lat: latitude, lon: longitude, points: plug}\n");
+  try {
+    ingest("a,114.005,22.505,2\n");
+    FAIL() << "was accepted";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("stations.csv:1: has no column `plug` (did you mean `plugs`?)"),
+              std::string::npos)
+        << error.what();
+  }
+  folder_.write("format.yaml", "columns: {name: id, lat: latitude, lon: longitude, points: plugs}\n");
+  EXPECT_THROW(ingest("far,114.05,22.505,1\n"), Error);
+}
+
+}  // namespace
+}  // namespace evbal

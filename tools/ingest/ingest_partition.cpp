@@ -1,0 +1,89 @@
+#include "tools/ingest/ingest_partition.hpp"
+
+#include "tools/ingest/merge_zones.hpp"
+#include "tools/ingest/outlines.hpp"
+#include "tools/ingest/shared_borders.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace evbal {
+namespace {
+
+constexpr double kBorderTolerance = 10.0;   // m
+constexpr double kOutlineTolerance = 30.0;  // m
+
+LatLon rounded(LatLon point) {
+  return {std::round(point.lat * 1e5) / 1e5, std::round(point.lon * 1e5) / 1e5};
+}
+
+/// Centres of the regions' area.
+std::vector<LatLon> centres_of(const std::vector<Zone>& zones, const std::vector<int>& region_of, int regions) {
+  std::vector<LatLon> centres(regions);
+  std::vector<double> area(regions, 0.0);
+  for (std::size_t z = 0; z < zones.size(); ++z) {
+    const double own = std::max(1.0, zones[z].area_m2);
+    area[region_of[z]] += own;
+    centres[region_of[z]].lat += own * zones[z].centre.lat;
+    centres[region_of[z]].lon += own * zones[z].centre.lon;
+  }
+  for (int r = 0; r < regions; ++r) {
+    centres[r] = rounded({centres[r].lat / area[r], centres[r].lon / area[r]});
+  }
+  return centres;
+}
+
+std::string report_of(const std::vector<Zone>& zones, const std::vector<int>& region_of, int regions) {
+  std::vector<double> weight(regions, 0.0);
+  double total = 0.0;
+  for (std::size_t z = 0; z < zones.size(); ++z) {
+    weight[region_of[z]] += zones[z].weight;
+    total += zones[z].weight;
+  }
+  const double mean = total > 0.0 ? total / regions : 1.0;
+  const auto [least, most] = std::minmax_element(weight.begin(), weight.end());
+  std::ostringstream out;
+  out.precision(3);
+  out << "zones read: " << zones.size() << "\n"
+      << "regions: " << regions << ", weight each from " << *least / mean << " to " << *most / mean << " of the mean\n";
+  return out.str();
+}
+
+/// As a field of CSV.
+std::string field(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) {
+    return text;
+  }
+  std::string out = "\"";
+  for (const char c : text) {
+    out += c == '"' ? "\"\"" : std::string(1, c);
+  }
+  return out + "\"";
+}
+
+}  // namespace
+
+Partition ingest_partition(const std::filesystem::path& zones, const ZoneFields& fields, int regions) {
+  Partition made;
+  made.zones = with_shared_borders(read_zones(zones, fields), kBorderTolerance);
+  MergedZones merged = merge_all_zones(made.zones, regions);
+  made.region_of = std::move(merged.region_of);
+  const auto outlines = merged_outlines(made.zones, made.region_of, regions, kOutlineTolerance);
+  const auto centres = centres_of(made.zones, made.region_of, regions);
+  for (int r = 0; r < regions; ++r) {
+    made.regions.push_back({merged.names[r], outlines[r], centres[r]});
+  }
+  made.report = report_of(made.zones, made.region_of, regions);
+  return made;
+}
+
+std::string zones_csv(const Partition& partition) {
+  std::string out = "zone,region\n";
+  for (std::size_t z = 0; z < partition.zones.size(); ++z) {
+    out += field(partition.zones[z].name) + "," + partition.regions[partition.region_of[z]].name + "\n";
+  }
+  return out;
+}
+
+}  // namespace evbal

@@ -1,0 +1,136 @@
+#include "tools/ingest/ingest_stations.hpp"
+
+#include "agents/city/geometry.hpp"
+#include "agents/city/table.hpp"
+#include "tools/records/raw_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <sstream>
+
+namespace evbal {
+namespace {
+
+constexpr int kMostPoints = 10'000;
+
+/// Where the columns of a table of stations are.
+struct StationFormat {
+  TableFormat table;
+  std::size_t name = 0;
+  std::size_t lat = 0;
+  std::size_t lon = 0;
+  std::size_t points = 0;
+};
+
+StationFormat read_format(const std::filesystem::path& file) {
+  YamlMap map(YamlValue::load(file));
+  StationFormat format;
+  format.table = read_table_format(map);
+  YamlMap columns(map.require("columns"));
+  format.name = add_column(format.table, columns.require("name"));
+  format.lat = add_column(format.table, columns.require("lat"));
+  format.lon = add_column(format.table, columns.require("lon"));
+  format.points = add_column(format.table, columns.require("points"));
+  columns.finish();
+  map.finish();
+  return format;
+}
+
+/// Whether a text may stand in a pack: UTF-8 without control characters, not empty.
+bool is_plain(std::string_view text) {
+  int following = 0;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool continues = (byte & 0xC0U) == 0x80U;
+    if (continues != (following > 0) || byte < 0x20U || byte == 0x7FU || byte >= 0xF8U) {
+      return false;
+    }
+    following = continues ? following - 1 : byte >= 0xF0U ? 3 : byte >= 0xE0U ? 2 : byte >= 0xC0U ? 1 : 0;
+  }
+  return following == 0 && !text.empty();
+}
+
+/// Reads rows into stations, or says why not.
+class StationReader {
+ public:
+  StationReader(const StationFormat& format, const std::vector<Outline>& outlines, double snap_m)
+      : format_(format), map_(outlines), snap_m_(snap_m) {}
+
+  /// Empty if a station was added, else the reason.
+  std::string add(const RawTable& row) {
+    if (!row.whole()) {
+      return "malformed row";
+    }
+    const auto lat = parse_number(row.text(format_.lat));
+    const auto lon = parse_number(row.text(format_.lon));
+    const auto points = parse_integer(row.text(format_.points));
+    const std::string name(row.text(format_.name));
+    if (!lat || !lon || !points || std::abs(*lat) > 90.0 || std::abs(*lon) > 180.0 || *points > kMostPoints ||
+        !is_plain(name)) {
+      return "malformed row";
+    }
+    if (*points < 1) {
+      return "no points";
+    }
+    const auto nearest = map_.nearest({*lat, *lon});
+    if (nearest.metres > snap_m_) {
+      return "outside the regions";
+    }
+    if (!names_.insert(name).second) {
+      return "name given before";
+    }
+    snapped += nearest.metres > 0.0 ? 1 : 0;
+    stations.push_back({name, nearest.outline, static_cast<int>(*points), {*lat, *lon}});
+    return "";
+  }
+
+  std::vector<Station> stations;
+  long long snapped = 0;
+
+ private:
+  const StationFormat& format_;
+  OutlineMap map_;
+  double snap_m_;
+  std::set<std::string> names_;
+};
+
+}  // namespace
+
+IngestedStations ingest_stations(const StationSources& sources, const std::vector<Region>& regions, double snap_m) {
+  const StationFormat format = read_format(sources.format);
+  StationReader reader(format, outlines_of(regions), snap_m);
+  RawTable table(sources.table, format.table);
+  long long read = 0;
+  std::map<std::string, long long> dropped;
+  while (table.next()) {
+    ++read;
+    const std::string reason = reader.add(table);
+    if (!reason.empty()) {
+      ++dropped[reason];
+    }
+  }
+  if (reader.stations.empty()) {
+    throw bad_input(sources.table.string(), 0, "has no station in a region");
+  }
+  std::stable_sort(reader.stations.begin(), reader.stations.end(),
+                   [](const Station& a, const Station& b) { return a.region < b.region; });
+  std::ostringstream out;
+  out << "stations read: " << read << "\n";
+  for (const auto& [reason, rows] : dropped) {
+    out << "  dropped, " << reason << ": " << rows << "\n";
+  }
+  std::set<int> with_points;
+  long long points = 0;
+  for (const auto& station : reader.stations) {
+    with_points.insert(station.region);
+    points += station.points;
+  }
+  out << "stations used: " << reader.stations.size() << " with " << points << " points in " << with_points.size()
+      << " of " << regions.size() << " regions\n"
+      << "  outside all regions, moved to the nearest: " << reader.snapped << "\n";
+  return {std::move(reader.stations), out.str()};
+}
+
+}  // namespace evbal

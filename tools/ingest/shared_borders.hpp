@@ -1,0 +1,18 @@
+#pragma once
+
+#include "tools/ingest/zones.hpp"
+
+#include <vector>
+
+namespace evbal {
+
+/// Zones whose borders run along each other within `tolerance_m`, drawn so that they share corners and edges exactly:
+/// corners so close become one, and a corner so close to another zone's edge divides that edge. A ring that would
+/// vanish stays as it was.
+std::vector<Zone> with_shared_borders(std::vector<Zone> zones, double tolerance_m);
+
+/// Joins what does not hang together, such as islands: what hangs together with the first zone gets an edge to the
+/// nearest centre that does not, until all do. `neighbours` is symmetric and ascending, and stays so.
+void connect_nearest(const std::vector<LocalPoint>& centres, std::vector<std::vector<int>>& neighbours);
+
+}  // namespace evbal

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "common/yaml.hpp"
+#include "tools/records/lines.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace evbal {
+
+/// How the tables of one's own records are laid out, so that other cities' files fit as they are.
+struct TableFormat {
+  char separator = ',';  ///< a blank stands for any number of blanks and tabs
+  bool header = true;    ///< the first line names the columns
+  /// The columns that are asked for: by name with a header, else by number from 1.
+  std::vector<std::string> columns;
+};
+
+/// Reads the keys `separator` (comma, semicolon, tab, space; comma unless given) and `header` (true unless given).
+TableFormat read_table_format(YamlMap& map);
+
+/// Appends the column that `value` names (by number if there is no header) and returns its position among those asked
+/// for.
+std::size_t add_column(TableFormat& format, const YamlValue& value);
+
+/// The rows of a table of raw records, plain or compressed, as a stream. Fields may stand in double quotes.
+class RawTable {
+ public:
+  /// Throws Error{bad_input} if the file cannot be read or its header lacks a column.
+  RawTable(const std::filesystem::path& file, const TableFormat& format);
+
+  /// Moves to the next row that is not empty; false at the end. Throws as LineReader does.
+  bool next();
+
+  /// False if the row has too few fields: it must not be asked for any.
+  bool whole() const { return whole_; }
+
+  /// A field of the row by its position among the columns asked for, without blanks around it.
+  std::string_view text(std::size_t column) const { return fields_[column]; }
+
+  /// An error at the current row.
+  Error error(const std::string& message) const { return lines_.error(message); }
+
+ private:
+  void find_columns();
+  void split();
+  void split_quoted();
+
+  LineReader lines_;
+  TableFormat format_;
+  std::vector<std::size_t> places_;  ///< in the line, by column asked for
+  std::size_t most_ = 0;             ///< of places_
+  std::string line_;
+  std::vector<std::string_view> all_;
+  std::vector<std::string> unquoted_;
+  std::vector<std::string_view> fields_;
+  bool whole_ = false;
+};
+
+}  // namespace evbal
