@@ -47,6 +47,10 @@ void pairs(const Copy& copy, Is<Effect> auto& own, auto& wire) {
   copy(own.magnitude, wire.magnitude());
   copy(own.on_start, wire.on_start());
   copy(own.visible, wire.visible());
+  copy(own.to, wire.to());
+  copy(own.field, wire.field());
+  copy(own.process, wire.process());
+  copy(own.topic, wire.topic());
 }
 
 template <class Copy>
@@ -169,10 +173,19 @@ constexpr Errand last(Errand /*type*/) {
   return Errand::charge;
 }
 constexpr EffectType last(EffectType /*type*/) {
-  return EffectType::charger_outage;
+  return EffectType::solver_starve;
 }
 constexpr OnStart last(OnStart /*type*/) {
   return OnStart::evict;
+}
+constexpr ReportField last(ReportField /*type*/) {
+  return ReportField::completions;
+}
+constexpr ProcessRole last(ProcessRole /*type*/) {
+  return ProcessRole::injector;
+}
+constexpr NetworkTopic last(NetworkTopic /*type*/) {
+  return NetworkTopic::plan;
 }
 constexpr FallbackLevel last(FallbackLevel /*type*/) {
   return FallbackLevel::hold;

@@ -13,6 +13,16 @@ namespace evbal {
 template <class Given, class Message>
 concept Is = std::same_as<std::remove_cvref_t<Given>, Message>;
 
+/// A field that says nothing on most days, `quiet`: a visitor with a function `rare` of its own may leave it out then.
+template <class Visit, class Field, class Value>
+void rare(Visit& visit, const char* name, Field& field, const Value& quiet) {
+  if constexpr (requires { visit.rare(name, field, quiet); }) {
+    visit.rare(name, field, quiet);
+  } else {
+    visit(name, field);
+  }
+}
+
 template <class Visit>
 void fields(Visit&& visit, Is<Origin> auto& m) {
   visit("process_id", m.process_id);
@@ -50,6 +60,10 @@ void fields(Visit&& visit, Is<Effect> auto& m) {
   visit("magnitude", m.magnitude);
   visit("on_start", m.on_start);
   visit("visible", m.visible);
+  rare(visit, "to", m.to, no_region);
+  rare(visit, "field", m.field, ReportField::none);
+  rare(visit, "process", m.process, ProcessRole::agent);
+  rare(visit, "topic", m.topic, NetworkTopic::all);
 }
 
 template <class Visit>

@@ -21,6 +21,14 @@ class Writer {
     write(field);
   }
 
+  template <class Field>
+  void rare(const char* name, const Field& field, const Field& quiet) {
+    if (field != quiet) {
+      write(std::string(name));
+      write(field);
+    }
+  }
+
  private:
   template <class Number>
   requires std::is_arithmetic_v<Number> || std::is_enum_v<Number>

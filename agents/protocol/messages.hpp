@@ -44,11 +44,49 @@ struct UnderWay {
   std::int32_t count = 0;
 };
 
-/// What a fault does to the world.
+/// What a fault does. By family, in the order of FaultFamily, but for the solver's, which come last.
 enum class EffectType : std::uint8_t {
-  demand_scale = 0,    ///< magnitude: factor on the passengers who appear
-  charger_outage = 1,  ///< magnitude: points that do not work
+  demand_scale = 0,        ///< magnitude: factor on the passengers who appear
+  charger_outage = 1,      ///< magnitude: points that do not work
+  demand_add = 2,          ///< magnitude: further passengers an hour
+  demand_shift = 3,        ///< magnitude: share of the passengers who want to go to `to` instead
+  charger_derate = 4,      ///< magnitude: factor on the charging power
+  charger_block = 5,       ///< magnitude: points that work, but where nobody can plug in
+  fleet_breakdown = 6,     ///< magnitude: vehicles that cannot be used
+  fleet_drain = 7,         ///< magnitude: factor on the energy that trips from here cost
+  travel_slow = 8,         ///< magnitude: factor on the minutes that trips from here take
+  sensor_stuck = 9,        ///< the field says what it said when the fault began
+  sensor_garbage = 10,     ///< the field says anything
+  sensor_biased = 11,      ///< magnitude: is added to the field
+  sensor_noisy = 12,       ///< magnitude: standard deviation of what is added
+  sensor_delayed = 13,     ///< magnitude: minutes by which the field is late
+  sensor_off = 14,         ///< the field says nothing
+  process_kill = 15,       ///< the process is gone while this lasts
+  process_pause = 16,      ///< the process stands still while this lasts
+  process_slow = 17,       ///< magnitude: minutes by which the process is late with all that it says
+  network_drop = 18,       ///< magnitude: probability that a sample is lost
+  network_delay = 19,      ///< magnitude: minutes by which samples are late
+  network_partition = 20,  ///< nothing comes through between the region and the coordinator
+  solver_fail = 21,        ///< no solve succeeds
+  solver_starve = 22,      ///< magnitude: iterations that a solve may take
 };
+
+/// Whom a fault acts on.
+enum class FaultFamily {
+  world,    ///< the plants
+  sensor,   ///< what regions report
+  process,  ///< agents, coordinator, injector
+  network,  ///< samples between agents and coordinator
+  solver,   ///< the coordinator's engine
+};
+
+constexpr FaultFamily family_of(EffectType type) {
+  return type <= EffectType::travel_slow         ? FaultFamily::world
+         : type <= EffectType::sensor_off        ? FaultFamily::sensor
+         : type <= EffectType::process_slow      ? FaultFamily::process
+         : type <= EffectType::network_partition ? FaultFamily::network
+                                                 : FaultFamily::solver;
+}
 
 /// What happens to the cars at points that fail.
 enum class OnStart : std::uint8_t {
@@ -56,20 +94,45 @@ enum class OnStart : std::uint8_t {
   evict = 1,  ///< cars are unplugged and queue again
 };
 
-/// One fault's effect on one region during one tick.
+/// A number in a region's report that a sensor measures.
+enum class ReportField : std::uint8_t {
+  none = 0,
+  vacant = 1,
+  low_battery = 2,
+  plugged = 3,
+  points = 4,
+  waiting = 5,
+  demand = 6,
+  completions = 7,
+};
+
+/// The processes that a fault may act on; an agent is named by its region.
+enum class ProcessRole : std::uint8_t { agent = 0, coordinator = 1, injector = 2 };
+
+/// What can be lost or late between a region and the coordinator.
+enum class NetworkTopic : std::uint8_t { all = 0, report = 1, plan = 2 };
+
+/// Stands for a region where there is none: faults of coordinator and injector.
+constexpr std::int32_t no_region = -1;
+
+/// One fault's effect on one region, or on the coordinator or the injector, during one tick.
 struct Effect {
   std::int32_t fault = 0;  ///< position in the resolved schedule
   EffectType type = EffectType::demand_scale;
-  std::int32_t region = 0;
+  std::int32_t region = 0;  ///< of an agent its region; no_region for coordinator and injector
   double magnitude = 0.0;
   OnStart on_start = OnStart::drain;
-  bool visible = true;  ///< whether reports and forecasters are told
+  bool visible = true;                       ///< whether reports and forecasters are told
+  std::int32_t to = no_region;               ///< destination, of demand_shift
+  ReportField field = ReportField::none;     ///< of sensor faults
+  ProcessRole process = ProcessRole::agent;  ///< of process faults
+  NetworkTopic topic = NetworkTopic::all;    ///< of network faults
 };
 
 /// Injector to conductor: the effects that are active during a tick.
 struct Faults {
   std::int32_t tick = 0;
-  std::vector<Effect> effects;  ///< by (fault, region)
+  std::vector<Effect> effects;  ///< of all families, by (fault, region)
   Origin origin;
 };
 

@@ -77,7 +77,9 @@ Eigen::MatrixXd demand_by_tick(const World& world, const std::function<std::vect
   }
   for (int tick = 0; tick < world.clock.ticks(); ++tick) {
     for (const Effect& effect : effects(tick)) {
-      demand(effect.region, tick) *= effect.type == EffectType::demand_scale ? effect.magnitude : 1.0;
+      if (effect.type == EffectType::demand_scale) {
+        demand(effect.region, tick) *= effect.magnitude;
+      }
     }
   }
   return demand;

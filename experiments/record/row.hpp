@@ -2,6 +2,7 @@
 
 #include "agents/protocol/fields.hpp"
 #include "experiments/record/text.hpp"
+#include "faults/schedule/fault_types.hpp"
 
 #include <array>
 #include <cstdint>
@@ -23,12 +24,24 @@ inline const char* word(Errand errand) {
   return std::array{"passenger", "rebalance", "charge"}.at(static_cast<std::size_t>(errand));
 }
 
-inline const char* word(EffectType type) {
-  return std::array{"demand.scale", "charger.outage"}.at(static_cast<std::size_t>(type));
+inline const std::string& word(EffectType type) {
+  return fault_type(type).name;
 }
 
 inline const char* word(OnStart on_start) {
   return std::array{"drain", "evict"}.at(static_cast<std::size_t>(on_start));
+}
+
+inline std::string word(ReportField field) {
+  return field == ReportField::none ? "none" : report_field_words().at(static_cast<std::size_t>(field) - 1);
+}
+
+inline const char* word(ProcessRole process) {
+  return std::array{"agent", "coordinator", "injector"}.at(static_cast<std::size_t>(process));
+}
+
+inline const std::string& word(NetworkTopic topic) {
+  return network_topic_words().at(static_cast<std::size_t>(topic));
 }
 
 inline const char* word(FallbackLevel level) {

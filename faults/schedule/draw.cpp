@@ -58,8 +58,9 @@ std::vector<int> draw_regions(const Target& target, const Draws& draws) {
     return target.candidates;
   }
   auto stream = draws.stream(Field::target);
-  const auto count = static_cast<std::size_t>(std::lround(target.pick->draw(stream)));
   std::vector<int> regions = target.candidates;
+  const double drawn = target.pick->draw(stream) * (target.share ? static_cast<double>(regions.size()) : 1.0);
+  const auto count = static_cast<std::size_t>(std::max(1L, std::lround(drawn)));
   for (std::size_t i = 0; i < count; ++i) {
     std::swap(regions[i], regions[i + stream.below(regions.size() - i)]);
   }
@@ -70,9 +71,11 @@ std::vector<int> draw_regions(const Target& target, const Draws& draws) {
 
 std::vector<double> draw_magnitudes(const Request& request, const std::vector<int>& regions, const Place& place,
                                     const Draws& draws) {
+  const FaultType& type = *request.type;
   const double drawn = draws(request.magnitude.quantity, Field::magnitude);
-  std::vector<double> magnitudes(regions.size(), drawn);
-  if (request.type->magnitude == MagnitudeUnit::points) {
+  const bool whole = !type.counts_points() && type.unit != MagnitudeUnit::number;
+  std::vector<double> magnitudes(regions.size(), whole ? std::round(drawn) : drawn);
+  if (type.counts_points()) {
     for (std::size_t i = 0; i < regions.size(); ++i) {
       const double points = place.points_per_region[regions[i]];
       const double failed = request.magnitude.fraction ? drawn * points : drawn;
@@ -110,6 +113,10 @@ Fault draw_fault(const Request& request, const Place& place, int start, const Dr
   fault.ramp = std::min(draws.whole(request.ramp, Field::ramp), fault.duration / 2);
   fault.on_start = request.on_start;
   fault.visible = request.visible;
+  fault.to = request.to;
+  fault.field = request.target.field;
+  fault.process = request.target.process;
+  fault.topic = request.target.topic;
   return fault;
 }
 

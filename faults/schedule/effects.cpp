@@ -1,3 +1,4 @@
+#include "faults/schedule/fault_types.hpp"
 #include "faults/schedule/schedule.hpp"
 
 #include <algorithm>
@@ -20,16 +21,6 @@ double strength(const Fault& fault, const TickWindow& window, const DayClock& cl
   return std::min(1.0, std::min(since_start, until_end) / fault.ramp);
 }
 
-double magnitude_at(const Fault& fault, double full, double strength) {
-  switch (fault.type) {
-    case EffectType::demand_scale:
-      return std::lerp(1.0, full, strength);
-    case EffectType::charger_outage:
-      break;
-  }
-  return full;
-}
-
 }  // namespace
 
 TickWindow tick_window(const Fault& fault, const DayClock& clock) {
@@ -47,13 +38,18 @@ Faults faults_at(const Schedule& schedule, const DayClock& clock, int tick) {
       continue;
     }
     const double share = strength(fault, window, clock, tick);
+    const double neutral = fault_type(fault.type).neutral;
     for (std::size_t i = 0; i < fault.regions.size(); ++i) {
       faults.effects.push_back({.fault = static_cast<std::int32_t>(index),
                                 .type = fault.type,
                                 .region = fault.regions[i],
-                                .magnitude = magnitude_at(fault, fault.magnitudes[i], share),
+                                .magnitude = std::lerp(neutral, fault.magnitudes[i], share),
                                 .on_start = fault.on_start,
-                                .visible = fault.visible});
+                                .visible = fault.visible,
+                                .to = fault.to,
+                                .field = fault.field,
+                                .process = fault.process,
+                                .topic = fault.topic});
     }
   }
   return faults;

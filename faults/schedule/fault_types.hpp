@@ -1,28 +1,54 @@
 #pragma once
 
 #include "agents/protocol/messages.hpp"
+#include "faults/schedule/quantity.hpp"
 
 #include <string>
 #include <vector>
 
 namespace evbal {
 
-/// What a fault's magnitude measures.
-enum class MagnitudeUnit {
-  factor,  ///< a number, at least 0
-  points,  ///< charging points of a region that has some
+/// What a fault's target names.
+enum class TargetKind {
+  regions,
+  stations,   ///< regions that have charging points
+  sensors,    ///< regions, and a field of their reports
+  processes,  ///< agents by their region, the coordinator or the injector
+  links,      ///< regions, whose way to and from the coordinator it is
+  topics,     ///< likewise, and what is said there
+  engine,     ///< the coordinator's; nothing to name
 };
 
-/// A kind of fault: its name in a schedule and the fields that it has beside those of every fault.
+/// What a fault's magnitude measures.
+enum class MagnitudeUnit {
+  none,  ///< the fault has no more or less
+  number,
+  minutes,  ///< whole minutes, at least 1
+  count,    ///< of `counted` things: a whole number
+};
+
+/// A kind of fault: its name in a schedule, and which fields it has beside those of every fault.
 struct FaultType {
   std::string name;
   EffectType effect = EffectType::demand_scale;
-  MagnitudeUnit magnitude = MagnitudeUnit::factor;
-  bool ramp = false;      ///< comes and goes gradually
-  bool on_start = false;  ///< cars at the points that fail: evict or drain
+  TargetKind target = TargetKind::regions;
+  MagnitudeUnit unit = MagnitudeUnit::number;
+  Range range{0.0, 0.0};                ///< of the magnitude; points are limited by their region instead
+  std::string counted{};                ///< "points", "vehicles", "iterations"
+  double neutral = 0.0;                 ///< the magnitude that changes nothing, from which a ramp rises
+  bool ramp = false;                    ///< comes and goes gradually
+  bool on_start = false;                ///< cars at the points that fail: evict or drain
+  bool to = false;                      ///< has a region as destination
+  std::string magnitude = "magnitude";  ///< the key
+  std::string duration = "duration";    ///< the key
+
+  bool counts_points() const { return counted == "points"; }
+
+  /// Whether it is to be said who is told: only of the world.
+  bool may_be_invisible() const { return family_of(effect) == FaultFamily::world; }
 };
 
-/// Every kind that there is. A new kind is a row here and an effect in the plant.
+/// Every kind that there is, in the order of EffectType.
 const std::vector<FaultType>& fault_types();
 
 /// Names of fault_types(), in their order.
@@ -30,10 +56,12 @@ std::vector<std::string> fault_type_names();
 
 const FaultType& fault_type(EffectType effect);
 
-/// Largest factor that a schedule may ask for.
+/// Largest factor on demand that a schedule may ask for.
 constexpr double max_factor = 100.0;
 
-/// The words of `on_start` in the order of OnStart.
+/// The words of a schedule for the enumerators of these types, in their order.
 const std::vector<std::string>& on_start_words();
+const std::vector<std::string>& report_field_words();  ///< the first one is that of ReportField::vacant
+const std::vector<std::string>& network_topic_words();
 
 }  // namespace evbal

@@ -1,6 +1,7 @@
 #include "faults/schedule/guard.hpp"
 
 #include "faults/schedule/fault_types.hpp"
+#include "faults/schedule/target.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -12,6 +13,14 @@ std::string line_of(const PlacedFault& placed) {
   return "`" + placed.fault.name + "` (line " + std::to_string(placed.where.line()) + ")";
 }
 
+/// Whether two faults exclude each other where they meet: of a type and of one field or topic, or of one process.
+bool exclusive(const Fault& a, const Fault& b) {
+  const bool processes = family_of(a.type) == FaultFamily::process && family_of(b.type) == FaultFamily::process;
+  return processes ? a.process == b.process
+                   : a.type == b.type && a.field == b.field &&
+                         (a.topic == b.topic || a.topic == NetworkTopic::all || b.topic == NetworkTopic::all);
+}
+
 void check_pair(const PlacedFault& earlier, const PlacedFault& later, const DayClock& clock) {
   const Fault& a = earlier.fault;
   const Fault& b = later.fault;
@@ -20,10 +29,11 @@ void check_pair(const PlacedFault& earlier, const PlacedFault& later, const DayC
                             "; give each a name of its own");
   }
   if (const auto both = overlap(a, b, clock)) {
-    throw later.where.error("fault " + line_of(later) + " overlaps " + line_of(earlier) + ": both are " +
-                            fault_type(a.type).name + " in region " + std::to_string(both->region) + " from " +
-                            time_of_day(clock, clock.minute_of(both->from)) + " to " +
-                            time_of_day(clock, clock.minute_of(both->to)) + "; move one in time or to other regions");
+    const std::string what = a.type == b.type ? "both are " + fault_type(a.type).name + " in " : "both act on ";
+    throw later.where.error("fault " + line_of(later) + " overlaps " + line_of(earlier) + ": " + what +
+                            place_name(a, both->region) + " from " + time_of_day(clock, clock.minute_of(both->from)) +
+                            " to " + time_of_day(clock, clock.minute_of(both->to)) +
+                            "; move one in time or to other regions");
   }
 }
 
@@ -63,7 +73,7 @@ std::optional<Overlap> overlap(const Fault& a, const Fault& b, const DayClock& c
   const TickWindow second = tick_window(b, clock);
   const int from = std::max(first.first, second.first);
   const int to = std::min({first.last, second.last, clock.ticks()});
-  if (a.type != b.type || from >= to) {
+  if (!exclusive(a, b) || from >= to) {
     return std::nullopt;
   }
   const auto shared = std::find_first_of(a.regions.begin(), a.regions.end(), b.regions.begin(), b.regions.end());

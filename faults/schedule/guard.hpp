@@ -8,7 +8,8 @@
 
 namespace evbal {
 
-/// Where two faults of a type touch one region at a time: the first such region and the ticks [from, to).
+/// Where two faults that exclude each other meet: of a type in one region (and one field or topic), or of any types on
+/// one process. The first such region and the ticks [from, to).
 struct Overlap {
   int region = 0;
   int from = 0;
@@ -18,8 +19,8 @@ std::optional<Overlap> overlap(const Fault& a, const Fault& b, const DayClock& c
 
 Guard read_guard(const YamlValue& value);
 
-/// Throws Error{bad_input} at the fault that breaks a rule: a name used twice, two faults of a type in one region at
-/// a time, more faults at a time or fewer working points than the guard allows.
+/// Throws Error{bad_input} at the fault that breaks a rule: a name used twice, two faults that exclude each other
+/// at a time, more faults at a time or fewer working points than the guard allows.
 void check_guard(const Guard& guard, std::span<const PlacedFault> faults, const Place& place);
 
 }  // namespace evbal

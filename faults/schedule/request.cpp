@@ -7,44 +7,6 @@
 namespace evbal {
 namespace {
 
-std::vector<int> read_candidates(const std::optional<YamlValue>& of, const Place& place, bool with_points) {
-  if (!of) {
-    return regions_with(place, with_points ? 1 : 0);
-  }
-  YamlMap map(*of);
-  const auto regions = map.find("regions");
-  const auto min_points = map.find("min_points");
-  map.finish();
-  if (regions.has_value() == min_points.has_value()) {
-    throw of->error("expected either `regions: [..]` or `min_points: k`");
-  }
-  return regions ? read_regions(*regions, place, with_points) : regions_with(place, min_points->integer(1, 1'000'000));
-}
-
-Target read_target(const YamlValue& value, const Place& place, bool with_points) {
-  YamlMap map(value);
-  const auto regions = map.find("regions");
-  const auto pick = map.find("pick");
-  const auto of = map.find("of");
-  map.finish();
-  if (regions.has_value() == pick.has_value() || (of && !pick)) {
-    throw value.error("expected either `regions: [..]` or `pick: n`, with or without `of: {min_points: k}`");
-  }
-  if (regions) {
-    return {read_regions(*regions, place, with_points), std::nullopt};
-  }
-  Target target{read_candidates(of, place, with_points), std::nullopt};
-  const int most = static_cast<int>(target.candidates.size());
-  if (most == 0) {
-    throw value.error("no region fits; ask for fewer points");
-  }
-  if (pick->is_scalar()) {
-    pick->integer(1, most);
-  }
-  target.pick = read_quantity(*pick, Unit::number, {1.0, static_cast<double>(most)});
-  return target;
-}
-
 Arrivals read_arrivals(const YamlValue& value, const DayClock& clock) {
   YamlMap map(value);
   YamlMap poisson(map.require("poisson"));
@@ -64,29 +26,51 @@ Arrivals read_arrivals(const YamlValue& value, const DayClock& clock) {
   return arrivals;
 }
 
-Magnitude read_magnitude(const YamlValue& value, const Request& request, const Place& place) {
-  if (request.type->magnitude == MagnitudeUnit::factor) {
-    return {read_quantity(value, Unit::number, {0.0, max_factor}), false};
+/// So many points that every region asked for has them, or one of those to be picked from.
+Quantity read_points(const YamlValue& points, const Target& target, const Place& place) {
+  const auto& candidates = target.candidates;
+  const auto fewer = [&](int a, int b) { return place.points_per_region[a] < place.points_per_region[b]; };
+  const auto [least, most] = std::minmax_element(candidates.begin(), candidates.end(), fewer);
+  const int limit = place.points_per_region[points.is_scalar() ? *least : *most];
+  if (points.is_scalar() && points.integer() > limit) {
+    throw points.error("`" + points.text() + "` points are more than region " + std::to_string(*least) +
+                       " has; give at most " + std::to_string(limit) + " or choose regions with more");
   }
+  return read_quantity(points, Unit::number, {1.0, static_cast<double>(limit)});
+}
+
+Magnitude read_count(const YamlValue& value, const Request& request, const Place& place) {
+  const FaultType& type = *request.type;
   YamlMap map(value);
-  const auto fraction = map.find("fraction_of_points");
-  const auto points = map.find("points");
+  const auto counted = map.find(type.counted);
+  const auto fraction = type.counts_points() ? map.find("fraction_of_points") : std::nullopt;
   map.finish();
-  if (fraction.has_value() == points.has_value()) {
-    throw value.error("expected either `fraction_of_points: f` or `points: n`");
+  if (counted.has_value() == fraction.has_value()) {
+    throw value.error(type.counts_points() ? "expected either `fraction_of_points: f` or `points: n`"
+                                           : "expected `" + type.counted + ": n`");
   }
   if (fraction) {
     return {read_quantity(*fraction, Unit::number, {0.01, 1.0}), true};
   }
-  const auto& candidates = request.target.candidates;
-  const auto fewer = [&](int a, int b) { return place.points_per_region[a] < place.points_per_region[b]; };
-  const auto [least, most] = std::minmax_element(candidates.begin(), candidates.end(), fewer);
-  const int limit = place.points_per_region[points->is_scalar() ? *least : *most];
-  if (points->is_scalar() && points->integer() > limit) {
-    throw points->error("`" + points->text() + "` points are more than region " + std::to_string(*least) +
-                        " has; give at most " + std::to_string(limit) + " or choose regions with more");
+  if (type.counts_points()) {
+    return {read_points(*counted, request.target, place), false};
   }
-  return {read_quantity(*points, Unit::number, {1.0, static_cast<double>(limit)}), false};
+  if (counted->is_scalar()) {
+    counted->integer();
+  }
+  return {read_quantity(*counted, Unit::number, type.range), false};
+}
+
+Magnitude read_magnitude(YamlMap& map, const Request& request, const Place& place) {
+  const FaultType& type = *request.type;
+  if (type.unit == MagnitudeUnit::none) {
+    return {};
+  }
+  const auto value = map.require(type.magnitude);
+  if (type.unit == MagnitudeUnit::count) {
+    return read_count(value, request, place);
+  }
+  return {read_quantity(value, type.unit == MagnitudeUnit::minutes ? Unit::minutes : Unit::number, type.range), false};
 }
 
 void read_times(YamlMap& map, const DayClock& clock, Request& request) {
@@ -102,7 +86,7 @@ void read_times(YamlMap& map, const DayClock& clock, Request& request) {
     request.arrivals = read_arrivals(*arrivals, clock);
   }
   constexpr double longest = 24.0 * 60.0;
-  request.duration = read_quantity(map.require("duration"), Unit::minutes, {1.0, longest});
+  request.duration = read_quantity(map.require(request.type->duration), Unit::minutes, {1.0, longest});
   const auto ramp = request.type->ramp ? map.find("ramp") : std::nullopt;
   if (!ramp) {
     return;
@@ -120,13 +104,16 @@ Request read_request(const YamlValue& entry, const Place& place) {
   Request request;
   request.name = read_name(map);
   request.type = &fault_types()[map.require("type").one_of(fault_type_names())];
-  request.target = read_target(map.require("target"), place, request.type->magnitude == MagnitudeUnit::points);
+  request.target = read_target(map, *request.type, place);
   read_times(map, place.clock, request);
-  request.magnitude = read_magnitude(map.require("magnitude"), request, place);
+  request.magnitude = read_magnitude(map, request, place);
+  if (request.type->to) {
+    request.to = map.require("to").integer(0, static_cast<int>(place.points_per_region.size()) - 1);
+  }
   if (const auto given = request.type->on_start ? map.find("on_start") : std::nullopt) {
     request.on_start = static_cast<OnStart>(given->one_of(on_start_words()));
   }
-  if (const auto given = map.find("visible")) {
+  if (const auto given = request.type->may_be_invisible() ? map.find("visible") : std::nullopt) {
     request.visible = given->boolean();
   }
   map.finish();

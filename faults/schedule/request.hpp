@@ -3,18 +3,12 @@
 #include "faults/schedule/fault_types.hpp"
 #include "faults/schedule/quantity.hpp"
 #include "faults/schedule/schedule.hpp"
+#include "faults/schedule/target.hpp"
 
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace evbal {
-
-/// Regions to choose from, and how many are chosen; all of them without `pick`.
-struct Target {
-  std::vector<int> candidates;
-  std::optional<Quantity> pick;
-};
 
 /// Repetitions by a Poisson process.
 struct Arrivals {
@@ -23,10 +17,10 @@ struct Arrivals {
   int to = 0;
 };
 
-/// A factor, a number of points, or a fraction of them.
+/// How much of a fault there is, in the unit of its type, or the fraction of a region's points.
 struct Magnitude {
   Quantity quantity;
-  bool fraction = false;  ///< of a region's points
+  bool fraction = false;
 };
 
 /// One entry of `faults` as asked for.
@@ -41,6 +35,7 @@ struct Request {
   Magnitude magnitude;
   OnStart on_start = OnStart::drain;
   bool visible = true;
+  int to = no_region;
 };
 
 /// Throws Error{bad_input} with file, line and what would be right.

@@ -5,6 +5,7 @@
 #include "faults/schedule/fault_types.hpp"
 #include "faults/schedule/guard.hpp"
 #include "faults/schedule/request.hpp"
+#include "faults/schedule/target.hpp"
 
 #include <array>
 #include <charconv>
@@ -13,17 +14,33 @@
 namespace evbal {
 namespace {
 
-std::vector<double> read_magnitudes(const YamlValue& value, const FaultType& type, const std::vector<int>& regions,
+double read_drawn(const YamlValue& value, const FaultType& type, int points) {
+  switch (type.unit) {
+    case MagnitudeUnit::count:
+      return type.counts_points() ? value.integer(1, points)
+                                  : value.integer(static_cast<int>(type.range.low), static_cast<int>(type.range.high));
+    case MagnitudeUnit::minutes:
+      return value.whole_minutes();
+    case MagnitudeUnit::number:
+    case MagnitudeUnit::none:
+      break;
+  }
+  return value.number(type.range.low, type.range.high);
+}
+
+std::vector<double> read_magnitudes(YamlMap& map, const FaultType& type, const std::vector<int>& regions,
                                     const Place& place) {
+  if (type.unit == MagnitudeUnit::none) {
+    return std::vector<double>(regions.size(), 0.0);
+  }
+  const auto value = map.require(type.magnitude);
   const auto items = value.items();
   if (items.size() != regions.size()) {
     throw value.error("expected one magnitude for each of the target's regions, " + std::to_string(regions.size()));
   }
   std::vector<double> magnitudes;
   for (std::size_t i = 0; i < regions.size(); ++i) {
-    const bool points = type.magnitude == MagnitudeUnit::points;
-    magnitudes.push_back(points ? items[i].integer(1, place.points_per_region[regions[i]])
-                                : items[i].number(0.0, max_factor));
+    magnitudes.push_back(read_drawn(items[i], type, type.counts_points() ? place.points_per_region[regions[i]] : 0));
   }
   return magnitudes;
 }
@@ -42,34 +59,36 @@ Fault read_fault(const YamlValue& entry, const Place& place) {
   fault.name = read_name(map);
   const FaultType& type = fault_types()[map.require("type").one_of(fault_type_names())];
   fault.type = type.effect;
-  YamlMap target(map.require("target"));
-  fault.regions = read_regions(target.require("regions"), place, type.magnitude == MagnitudeUnit::points);
-  target.finish();
-  fault.magnitudes = read_magnitudes(map.require("magnitude"), type, fault.regions, place);
+  const Target target = read_target(map, type, place);
+  if (target.pick) {
+    throw map.require("target").error("the target is still to be drawn; give its regions");
+  }
+  fault.regions = target.candidates;
+  fault.field = target.field;
+  fault.process = target.process;
+  fault.topic = target.topic;
+  fault.magnitudes = read_magnitudes(map, type, fault.regions, place);
+  if (type.to) {
+    fault.to = map.require("to").integer(0, static_cast<int>(place.points_per_region.size()) - 1);
+  }
   const auto start = map.require("start");
   fault.start = start.time_of_day() - place.clock.start;
   if (fault.start < 0 || fault.start >= place.clock.minutes()) {
     throw start.error("`" + start.text() + "` is outside of the day; give a time from " + time_of_day(place.clock, 0) +
                       ", before " + time_of_day(place.clock, place.clock.minutes()));
   }
-  fault.duration = map.require("duration").whole_minutes();
+  fault.duration = map.require(type.duration).whole_minutes();
   if (type.ramp) {
     fault.ramp = read_ramp(map.require("ramp"), fault.duration);
   }
   if (type.on_start) {
     fault.on_start = static_cast<OnStart>(map.require("on_start").one_of(on_start_words()));
   }
-  fault.visible = map.require("visible").boolean();
+  if (type.may_be_invisible()) {
+    fault.visible = map.require("visible").boolean();
+  }
   map.finish();
   return fault;
-}
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const auto& word : words) {
-    text += (text.empty() ? "" : ", ") + word;
-  }
-  return "[" + text + "]";
 }
 
 /// The shortest decimal that reads back as the same number.
@@ -78,21 +97,30 @@ std::string exact(double x) {
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
 }
 
+std::string magnitudes_yaml(const Fault& fault, const FaultType& type) {
+  std::string text;
+  for (const double magnitude : fault.magnitudes) {
+    text += (text.empty() ? "" : ", ") + exact(magnitude) + (type.unit == MagnitudeUnit::minutes ? "min" : "");
+  }
+  return "[" + text + "]";
+}
+
 std::string fault_yaml(const Fault& fault, const DayClock& clock) {
   const FaultType& type = fault_type(fault.type);
-  std::vector<std::string> regions;
-  std::vector<std::string> magnitudes;
-  for (std::size_t i = 0; i < fault.regions.size(); ++i) {
-    regions.push_back(std::to_string(fault.regions[i]));
-    magnitudes.push_back(exact(fault.magnitudes[i]));
-  }
-  std::string yaml = "  - name: \"" + fault.name + "\"\n    type: " + type.name + "\n";
-  yaml += "    target: {regions: " + joined(regions) + "}\n    magnitude: " + joined(magnitudes) + "\n";
-  yaml += "    start: \"" + time_of_day(clock, fault.start) + "\"\n";
-  yaml += "    duration: " + std::to_string(fault.duration) + "min\n";
-  yaml += type.ramp ? "    ramp: " + std::to_string(fault.ramp) + "min\n" : "";
-  yaml += type.on_start ? "    on_start: " + on_start_words()[static_cast<std::size_t>(fault.on_start)] + "\n" : "";
-  return yaml + "    visible: " + (fault.visible ? "true" : "false") + "\n";
+  std::string yaml = "  - name: \"" + fault.name + "\"\n";
+  const auto line = [&](bool has, const std::string& key, const std::string& value) {
+    yaml += has ? "    " + key + ": " + value + "\n" : "";
+  };
+  line(true, "type", type.name);
+  line(type.target != TargetKind::engine, "target", target_yaml(fault));
+  line(type.unit != MagnitudeUnit::none, type.magnitude, magnitudes_yaml(fault, type));
+  line(type.to, "to", std::to_string(fault.to));
+  line(true, "start", "\"" + time_of_day(clock, fault.start) + "\"");
+  line(true, type.duration, std::to_string(fault.duration) + "min");
+  line(type.ramp, "ramp", std::to_string(fault.ramp) + "min");
+  line(type.on_start, "on_start", on_start_words()[static_cast<std::size_t>(fault.on_start)]);
+  line(type.may_be_invisible(), "visible", fault.visible ? "true" : "false");
+  return yaml;
 }
 
 }  // namespace

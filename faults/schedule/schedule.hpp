@@ -22,13 +22,17 @@ struct Place {
 struct Fault {
   std::string name;  ///< unique in its schedule
   EffectType type = EffectType::demand_scale;
-  std::vector<int> regions;        ///< ascending
-  std::vector<double> magnitudes;  ///< one for each region; a factor or a number of points, see Effect
+  std::vector<int> regions;        ///< ascending; {no_region} if it acts on none
+  std::vector<double> magnitudes;  ///< one for each region, see EffectType; 0 for types that have none
   int start = 0;                   ///< minute
   int duration = 0;                ///< minutes, at least 1
   int ramp = 0;                    ///< minutes of rise at the start and of fall at the end
   OnStart on_start = OnStart::drain;
   bool visible = true;
+  int to = no_region;  ///< see Effect, as the next three
+  ReportField field = ReportField::none;
+  ProcessRole process = ProcessRole::agent;
+  NetworkTopic topic = NetworkTopic::all;
 
   bool operator==(const Fault&) const = default;
 };
@@ -42,7 +46,7 @@ struct Guard {
 };
 
 /// A drawn schedule. Faults are in the order of the request, repetitions of one by time; an Effect refers to them by
-/// position. No two of a type touch one region at a time.
+/// position. No two of a type touch one region (or field of its report, or topic) at a time, no two one process.
 struct Schedule {
   std::uint64_t seed = 0;
   Guard guard;
@@ -62,7 +66,7 @@ Schedule read_resolved(YamlMap& scenario, const Place& place);
 /// The schedule as YAML that read_schedule gives back unchanged.
 std::string schedule_yaml(const Schedule& schedule, const DayClock& clock);
 
-/// The effects that are active during a tick, by (fault, region). Pure.
+/// The effects that are active during a tick, of all families, by (fault, region). Pure.
 Faults faults_at(const Schedule& schedule, const DayClock& clock, int tick);
 
 /// Ticks [first, last) in which a fault acts: from the tick nearest to its start to the one nearest to its end, at

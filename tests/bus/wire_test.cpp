@@ -25,10 +25,19 @@ int enumerators(Errand /*type*/) {
   return 3;
 }
 int enumerators(EffectType /*type*/) {
-  return 2;
+  return 23;
 }
 int enumerators(OnStart /*type*/) {
   return 2;
+}
+int enumerators(ReportField /*type*/) {
+  return 8;
+}
+int enumerators(ProcessRole /*type*/) {
+  return 3;
+}
+int enumerators(NetworkTopic /*type*/) {
+  return 3;
 }
 int enumerators(FallbackLevel /*type*/) {
   return 4;

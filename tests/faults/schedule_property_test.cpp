@@ -17,23 +17,62 @@ std::string one_of(std::vector<std::string> texts) {
   return *rc::gen::elementOf(std::move(texts));
 }
 
+std::string random_where() {
+  return one_of({"pick: 1", "regions: [3]", "regions: [4, 1]", "pick: 2, of: {min_points: 5}"});
+}
+
+std::string random_target(const FaultType& type) {
+  switch (type.target) {
+    case TargetKind::engine:
+      return "";
+    case TargetKind::sensors:
+      return "target: {" + random_where() + ", field: " + one_of(report_field_words()) + "}, ";
+    case TargetKind::processes:
+      return "target: " +
+             one_of({"{agent: 2}", "{agents: [0, 4]}", "{pick: 3}", "{coordinator: true}", "{injector: true}"}) + ", ";
+    case TargetKind::topics:
+      return "target: {topic: " + one_of(network_topic_words()) + one_of({"", ", regions: [3]", ", fraction: 0.5"}) +
+             "}, ";
+    case TargetKind::regions:
+    case TargetKind::stations:
+    case TargetKind::links:
+      break;
+  }
+  return "target: {" + random_where() + "}, ";
+}
+
+std::string random_magnitude(const FaultType& type) {
+  const std::string key = type.magnitude + ": ";
+  switch (type.unit) {
+    case MagnitudeUnit::none:
+      return "";
+    case MagnitudeUnit::minutes:
+      return key + one_of({"7min", "{exponential: {mean: 20min}}"}) + ", ";
+    case MagnitudeUnit::count:
+      return key +
+             (type.counts_points() ? one_of({"{fraction_of_points: 0.3}", "{points: {uniform: {min: 1, max: 4}}}"})
+                                   : "{" + type.counted + ": {uniform: {min: 1, max: 9}}}") +
+             ", ";
+    case MagnitudeUnit::number:
+      break;
+  }
+  return key +
+         one_of({"1", "{uniform: {min: 1, max: 1}}", "{normal: {mean: 1, sd: 0.7}}", "{exponential: {mean: 1}}"}) +
+         ", ";
+}
+
 /// A fault whose every field may be a value or a distribution. Short and rare, so that the guard mostly holds.
 std::string random_fault(int index) {
-  const bool outage = *rc::gen::arbitrary<bool>();
-  std::string text = "  - {name: f" + std::to_string(index) + ", type: " + (outage ? "charger.outage" : "demand.scale");
-  text += ", target: " + one_of({"{pick: 1}", "{regions: [3]}", "{regions: [4, 1]}", "{pick: 2, of: {min_points: 5}}"});
-  text += ", " + one_of({"start: \"06:10\"", "start: {uniform: {min: \"06:00\", max: \"23:59\"}}",
-                         "start: {normal: {mean: \"12:00\", sd: 4h}}", "arrivals: {poisson: {per_hour: 0.1}}"});
-  text += ", duration: " +
+  const FaultType& type = *rc::gen::elementOf(fault_types());
+  std::string text = "  - {name: f" + std::to_string(index) + ", type: " + type.name + ", " + random_target(type) +
+                     random_magnitude(type) + (type.to ? "to: 2, " : "");
+  text += one_of({"start: \"06:10\"", "start: {uniform: {min: \"06:00\", max: \"23:59\"}}",
+                  "start: {normal: {mean: \"12:00\", sd: 4h}}", "arrivals: {poisson: {per_hour: 0.1}}"});
+  text += ", " + type.duration + ": " +
           one_of({"7min", "2h", "{exponential: {mean: 20min}}", "{lognormal: {median: 40min, sigma: 0.6, max: 3h}}"});
-  if (outage) {
-    text += ", magnitude: " + one_of({"{fraction_of_points: 0.3}", "{points: {uniform: {min: 1, max: 4}}}"});
-    text += one_of({"", ", on_start: evict", ", on_start: drain"});
-  } else {
-    text += ", magnitude: " + one_of({"1.8", "{normal: {mean: 1.8, sd: 0.7, min: 0.5}}", "{exponential: {mean: 1.5}}"});
-    text += one_of({"", ", ramp: 3min", ", ramp: {uniform: {min: 0min, max: 30min}}"});
-  }
-  return text + one_of({"", ", visible: false"}) + "}\n";
+  text += type.ramp ? one_of({"", ", ramp: 3min", ", ramp: {uniform: {min: 0min, max: 30min}}"}) : "";
+  text += type.on_start ? one_of({"", ", on_start: evict", ", on_start: drain"}) : "";
+  return text + (type.may_be_invisible() ? one_of({"", ", visible: false"}) : "") + "}\n";
 }
 
 std::string random_request(std::uint64_t seed) {
@@ -78,16 +117,16 @@ RC_GTEST_PROP(ScheduleProperty, SeedDecidesTheDraws, (std::uint64_t seed)) {
 RC_GTEST_PROP(ScheduleProperty, FaultsAreWithinTheDayAndTheCity, ()) {
   const Place place = small_place();
   for (const auto& fault : random_schedule().faults) {
-    const bool outage = fault.type == EffectType::charger_outage;
+    const FaultType& type = fault_type(fault.type);
     RC_ASSERT(fault.start >= 0 && fault.start < place.clock.minutes());
     RC_ASSERT(fault.duration >= 1);
     RC_ASSERT(fault.ramp >= 0 && 2 * fault.ramp <= fault.duration);
-    RC_ASSERT(std::is_sorted(fault.regions.begin(), fault.regions.end()));
+    RC_ASSERT(!fault.regions.empty() && std::is_sorted(fault.regions.begin(), fault.regions.end()));
     RC_ASSERT(fault.magnitudes.size() == fault.regions.size());
     for (std::size_t i = 0; i < fault.regions.size(); ++i) {
-      const double points = place.points_per_region.at(fault.regions[i]);
-      RC_ASSERT(fault.magnitudes[i] >= (outage ? 1.0 : 0.0));
-      RC_ASSERT(fault.magnitudes[i] <= (outage ? points : max_factor));
+      const bool points = type.counts_points();
+      RC_ASSERT(fault.magnitudes[i] >= (points ? 1.0 : type.range.low));
+      RC_ASSERT(fault.magnitudes[i] <= (points ? place.points_per_region.at(fault.regions[i]) : type.range.high));
     }
   }
 }
@@ -102,8 +141,9 @@ RC_GTEST_PROP(ScheduleProperty, EveryFaultActsInItsWindowOnly, ()) {
       const double full = fault.magnitudes.at(std::find(fault.regions.begin(), fault.regions.end(), effect.region) -
                                               fault.regions.begin());
       RC_ASSERT(tick_window(fault, place.clock).holds(tick));
-      RC_ASSERT(effect.magnitude >= std::min(1.0, full));
-      RC_ASSERT(effect.magnitude <= std::max(1.0, full));
+      const double neutral = fault_type(fault.type).neutral;
+      RC_ASSERT(effect.magnitude >= std::min(neutral, full));
+      RC_ASSERT(effect.magnitude <= std::max(neutral, full));
       ++acted[effect.fault];
     }
   }

@@ -121,7 +121,7 @@ Refusal outage_with(const std::string& from, const std::string& to, const std::s
 
 TEST(Schedule, RefusesAFaultThatIsWrong) {
   for (const auto& refusal : std::vector<Refusal>{
-           spike_with("demand.scale", "sensor.stuck", "choose one of `demand.scale`, `charger.outage`"),
+           spike_with("demand.scale", "sensor.broken", "choose one of `demand.scale`, `charger.outage`"),
            spike_with("demand.scale", "demand.scal", "did you mean `demand.scale`"),
            spike_with("name: spike, ", "", "`name` is missing"),
            spike_with("name: spike", "name: \"a b\"", "is no name"),
@@ -164,6 +164,90 @@ TEST(Schedule, RefusesAFaultThatIsWrong) {
        }) {
     expect_refused(refusal);
   }
+}
+
+/// A schedule of one fault of a type, with its own fields.
+std::string fault_of(const std::string& type, const std::string& fields) {
+  return schedule_of({"{name: a, type: " + type + ", start: \"07:00\", " + fields});
+}
+
+TEST(Schedule, ReadsEveryTypeWithItsFields) {
+  const auto only = [](const std::string& type, const std::string& fields) {
+    return read_text(fault_of(type, fields)).faults.at(0);
+  };
+  const auto shift = only("demand.shift", "target: {regions: [1]}, to: 4, magnitude: 0.5, duration: 1h, ramp: 10min");
+  EXPECT_EQ(shift.to, 4);
+  EXPECT_EQ(shift.ramp, 10);
+  const auto broken = only("fleet.breakdown", "target: {pick: 1}, magnitude: {vehicles: 3}, duration: 1h");
+  EXPECT_EQ(broken.magnitudes, std::vector<double>{3.0});
+  const auto lie = only("sensor.biased", "target: {regions: [2], field: points}, magnitude: -4, duration: 1h");
+  EXPECT_EQ(lie.field, ReportField::points);
+  EXPECT_EQ(lie.magnitudes, std::vector<double>{-4.0});
+  const auto late = only("sensor.delayed", "target: {regions: [2], field: vacant}, magnitude: 20min, duration: 1h");
+  EXPECT_EQ(late.magnitudes, std::vector<double>{20.0});
+  const auto crash = only("process.kill", "target: {agent: 3}, restart_after: 10min");
+  EXPECT_EQ(crash.regions, std::vector<int>{3});
+  EXPECT_EQ(crash.duration, 10);
+  const auto leaderless = only("process.pause", "target: {coordinator: true}, duration: 10min");
+  EXPECT_EQ(leaderless.process, ProcessRole::coordinator);
+  EXPECT_EQ(leaderless.regions, std::vector<int>{no_region});
+  const auto lossy = only("network.drop", "target: {topic: report, fraction: 0.4}, probability: 0.3, duration: 1h");
+  EXPECT_EQ(lossy.topic, NetworkTopic::report);
+  EXPECT_EQ(lossy.magnitudes, (std::vector<double>{0.3, 0.3}));
+  EXPECT_EQ(only("network.delay", "target: {topic: plan}, magnitude: 2min, duration: 1h").regions.size(), 5U);
+  const auto starved = only("solver.starve", "magnitude: {iterations: 3}, duration: 1h");
+  EXPECT_EQ(starved.magnitudes, std::vector<double>{3.0});
+  EXPECT_EQ(starved.regions, std::vector<int>{no_region});
+}
+
+TEST(Schedule, RefusesFieldsThatAreNotOfTheType) {
+  const auto refused = [](const std::string& type, const std::string& fields, const std::string& hint) {
+    expect_refused({fault_of(type, fields), 2, hint});
+  };
+  refused("demand.shift", "target: {regions: [1]}, magnitude: 0.5, duration: 1h", "`to` is missing");
+  refused("demand.shift", "target: {regions: [1]}, to: 5, magnitude: 0.5, duration: 1h", "from 0 to 4");
+  refused("demand.add", "target: {regions: [1]}, to: 2, magnitude: 5, duration: 1h", "unknown key `to`");
+  refused("charger.derate", "target: {regions: [0]}, magnitude: 0.5, duration: 1h", "has no charging points");
+  refused("charger.derate", "target: {regions: [1]}, magnitude: 2, duration: 1h", "from 0 to 1");
+  refused("charger.block", "target: {regions: [1]}, magnitude: {points: 1}, duration: 1h, on_start: evict", "on_start");
+  refused("fleet.breakdown", "target: {regions: [1]}, magnitude: {cars: 2}, duration: 1h", "unknown key `cars`");
+  refused("fleet.breakdown", "target: {regions: [1]}, magnitude: {vehicles: 1.5}, duration: 1h", "whole number");
+  refused("travel.slow", "target: {regions: [1]}, magnitude: 0.5, duration: 1h", "from 1 to 10");
+  refused("sensor.stuck", "target: {regions: [1]}, duration: 1h", "`field` is missing");
+  refused("sensor.stuck", "target: {regions: [1], field: vacnt}, duration: 1h", "did you mean `vacant`");
+  refused("sensor.off", "target: {regions: [1], field: vacant}, magnitude: 1, duration: 1h", "unknown key `magnitude`");
+  refused("sensor.off", "target: {regions: [1], field: vacant}, duration: 1h, visible: true", "unknown key `visible`");
+  refused("process.kill", "target: {agent: 5}, restart_after: 5min", "from 0 to 4");
+  refused("process.kill", "target: {regions: [1]}, restart_after: 5min", "unknown key `regions`");
+  refused("process.kill", "target: {agent: 1}, duration: 5min", "`restart_after` is missing");
+  refused("process.kill", "target: {coordinator: false}, restart_after: 5min", "expected `coordinator: true`");
+  refused("process.kill", "target: {coordinator: true, agent: 1}, restart_after: 5min", "unknown key `agent`");
+  refused("process.slow", "target: {injector: true}, duration: 5min, magnitude: 30s", "from 1min");
+  refused("network.drop", "target: {topic: tick}, duration: 1h, probability: 1",
+          "choose one of `all`, `report`, `plan`");
+  refused("network.drop", "target: {topic: report}, duration: 1h, magnitude: 1", "`probability` is missing");
+  refused("network.partition", "target: {}, duration: 1h", "either `regions: [..]`");
+  refused("network.partition", "target: {topic: plan, regions: [1]}, duration: 1h", "unknown key `topic`");
+  refused("solver.fail", "target: {coordinator: true}, duration: 1h", "unknown key `target`");
+  refused("solver.starve", "magnitude: {iterations: -1}, duration: 1h", "from 0 to");
+}
+
+TEST(Schedule, RefusesFaultsThatExcludeEachOther) {
+  const auto both = [](const std::string& first, const std::string& second) {
+    return schedule_of({"{name: a, start: \"07:00\", type: " + first, "{name: b, start: \"07:30\", type: " + second});
+  };
+  const std::string stuck = "sensor.stuck, duration: 1h, target: {regions: [1], field: ";
+  expect_refused({both(stuck + "vacant}", stuck + "vacant}"), 3, "both are sensor.stuck in region 1 from 07:30"});
+  EXPECT_NO_THROW(read_text(both(stuck + "vacant}", stuck + "points}")));
+  expect_refused(
+      {both("process.kill, target: {agent: 2}, restart_after: 1h", "process.pause, target: {pick: 5}, duration: 1h"), 3,
+       "both act on agent 2"});
+  EXPECT_NO_THROW(read_text(both("process.kill, target: {coordinator: true}, restart_after: 1h",
+                                 "process.kill, target: {injector: true}, restart_after: 1h")));
+  const std::string drop = "network.drop, duration: 1h, probability: 1, target: {regions: [1], topic: ";
+  expect_refused({both(drop + "plan}", drop + "all}"), 3, "both are network.drop in region 1"});
+  EXPECT_NO_THROW(read_text(both(drop + "plan}", drop + "report}")));
+  expect_refused({both("solver.fail, duration: 1h", "solver.fail, duration: 1h"), 3, "in the coordinator"});
 }
 
 TEST(Schedule, RefusesAHeadThatIsWrong) {
@@ -210,6 +294,7 @@ TEST(Schedule, RefusesAResolvedListThatWasAltered) {
   ASSERT_NO_THROW(read_text(good));
   for (const auto& refusal : std::vector<Refusal>{
            {replaced(good, "[4, 1]", "[4]"), 4, "one magnitude for each"},
+           {replaced(good, "{regions: [1, 3]}", "{pick: 2}"), 4, "still to be drawn"},
            {replaced(good, "[4, 1]", "[5, 1]"), 4, "from 1 to 4"},
            {replaced(good, "[4, 1]", "[4, 0.5]"), 4, "whole number"},
            {replaced(good, "07:00", "24:00"), 4, "outside of the day"},

@@ -1,0 +1,163 @@
+#include "faults/schedule/target.hpp"
+
+#include "faults/schedule/entry.hpp"
+
+namespace evbal {
+namespace {
+
+bool names_agents(const FaultType& type) {
+  return type.target == TargetKind::processes;
+}
+
+const char* list_key(const FaultType& type) {
+  return names_agents(type) ? "agents" : "regions";
+}
+
+bool needs_points(const FaultType& type) {
+  return type.target == TargetKind::stations;
+}
+
+std::vector<int> read_candidates(const std::optional<YamlValue>& of, const FaultType& type, const Place& place) {
+  if (!of) {
+    return regions_with(place, needs_points(type) ? 1 : 0);
+  }
+  YamlMap map(*of);
+  const auto list = map.find(list_key(type));
+  const auto min_points = map.find("min_points");
+  map.finish();
+  if (list.has_value() == min_points.has_value()) {
+    throw of->error(std::string("expected either `") + list_key(type) + ": [..]` or `min_points: k`");
+  }
+  return list ? read_regions(*list, place, needs_points(type)) : regions_with(place, min_points->integer(1, 1'000'000));
+}
+
+Quantity read_pick(const YamlValue& value, const std::vector<int>& candidates) {
+  const int most = static_cast<int>(candidates.size());
+  if (most == 0) {
+    throw value.error("no region fits; ask for fewer points");
+  }
+  if (value.is_scalar()) {
+    value.integer(1, most);
+  }
+  return read_quantity(value, Unit::number, {1.0, static_cast<double>(most)});
+}
+
+/// The regions of a target: a list, or so many of some.
+void read_where(YamlMap& map, const FaultType& type, const Place& place, Target& target) {
+  const bool network = family_of(type.effect) == FaultFamily::network;
+  const auto list = map.find(list_key(type));
+  const auto one = names_agents(type) ? map.find("agent") : std::nullopt;
+  const auto pick = map.find("pick");
+  const auto of = map.find("of");
+  const auto fraction = network ? map.find("fraction") : std::nullopt;
+  map.finish();
+  const int given = int{list.has_value()} + int{one.has_value()} + int{pick.has_value()} + int{fraction.has_value()};
+  const bool may_be_all = type.target == TargetKind::topics;
+  if (given > 1 || (given == 0 && !may_be_all) || (of && !pick)) {
+    throw map.value().error(std::string("expected either `") + list_key(type) + ": [..]`" +
+                            (names_agents(type) ? ", `agent: k`, `coordinator: true`, `injector: true`" : "") +
+                            (network ? ", `fraction: f`" : "") +
+                            " or `pick: n`, with or without `of: {min_points: k}`");
+  }
+  if (one) {
+    target.candidates = {one->integer(0, static_cast<int>(place.points_per_region.size()) - 1)};
+    return;
+  }
+  if (list) {
+    target.candidates = read_regions(*list, place, needs_points(type));
+    return;
+  }
+  target.candidates = read_candidates(of, type, place);
+  if (pick) {
+    target.pick = read_pick(*pick, target.candidates);
+  } else if (fraction) {
+    target.pick = read_quantity(*fraction, Unit::number, {0.0, 1.0});
+    target.share = true;
+  }
+}
+
+/// Reads a process that is no agent, if the map names one.
+bool read_single_process(YamlMap& map, Target& target) {
+  for (const auto& [key, role] :
+       {std::pair{"coordinator", ProcessRole::coordinator}, std::pair{"injector", ProcessRole::injector}}) {
+    const auto given = map.find(key);
+    if (given && !given->boolean()) {
+      throw given->error(std::string("expected `") + key + ": true`");
+    }
+    if (given) {
+      target.process = role;
+      target.candidates = {no_region};
+      return true;
+    }
+  }
+  return false;
+}
+
+std::string listed(const std::vector<int>& regions) {
+  std::string text;
+  for (const int region : regions) {
+    text += (text.empty() ? "" : ", ") + std::to_string(region);
+  }
+  return "[" + text + "]";
+}
+
+}  // namespace
+
+Target read_target(YamlMap& entry, const FaultType& type, const Place& place) {
+  Target target;
+  if (type.target == TargetKind::engine) {
+    target.candidates = {no_region};
+    return target;
+  }
+  YamlMap map(entry.require("target"));
+  if (type.target == TargetKind::sensors) {
+    const auto field = map.require("field");
+    target.field = static_cast<ReportField>(field.one_of(report_field_words()) + 1);
+  }
+  if (type.target == TargetKind::topics) {
+    target.topic = static_cast<NetworkTopic>(map.require("topic").one_of(network_topic_words()));
+  }
+  if (names_agents(type) && read_single_process(map, target)) {
+    map.finish();
+  } else {
+    read_where(map, type, place, target);
+  }
+  return target;
+}
+
+std::string target_yaml(const Fault& fault) {
+  const FaultType& type = fault_type(fault.type);
+  if (fault.process != ProcessRole::agent) {
+    return fault.process == ProcessRole::coordinator ? "{coordinator: true}" : "{injector: true}";
+  }
+  const std::string where = list_key(type) + (": " + listed(fault.regions));
+  switch (type.target) {
+    case TargetKind::engine:
+      return "";
+    case TargetKind::sensors:
+      return "{" + where + ", field: " + report_field_words().at(static_cast<std::size_t>(fault.field) - 1) + "}";
+    case TargetKind::topics:
+      return "{topic: " + network_topic_words().at(static_cast<std::size_t>(fault.topic)) + ", " + where + "}";
+    case TargetKind::regions:
+    case TargetKind::stations:
+    case TargetKind::processes:
+    case TargetKind::links:
+      break;
+  }
+  return "{" + where + "}";
+}
+
+std::string place_name(const Fault& fault, int region) {
+  switch (fault_type(fault.type).target) {
+    case TargetKind::engine:
+      return "the coordinator";
+    case TargetKind::processes:
+      return fault.process == ProcessRole::agent         ? "agent " + std::to_string(region)
+             : fault.process == ProcessRole::coordinator ? "the coordinator"
+                                                         : "the injector";
+    default:
+      return "region " + std::to_string(region);
+  }
+}
+
+}  // namespace evbal

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "faults/schedule/fault_types.hpp"
+#include "faults/schedule/quantity.hpp"
+#include "faults/schedule/schedule.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What a fault acts on, as the key `target` says it.
+namespace evbal {
+
+/// Regions to choose from, and how many are chosen: all of them without `pick`.
+struct Target {
+  std::vector<int> candidates;   ///< ascending; {no_region} for coordinator, injector and engine
+  std::optional<Quantity> pick;  ///< how many, or the share of them
+  bool share = false;
+  ReportField field = ReportField::none;
+  ProcessRole process = ProcessRole::agent;
+  NetworkTopic topic = NetworkTopic::all;
+};
+
+/// Reads the key `target` of an entry, which faults of the engine do not have. Throws Error{bad_input} with what would
+/// be right.
+Target read_target(YamlMap& entry, const FaultType& type, const Place& place);
+
+/// `{regions: [3, 7]}`: the target of a drawn fault as YAML that read_target takes; empty for the engine.
+std::string target_yaml(const Fault& fault);
+
+/// "region 3", "agent 3" or "the coordinator": where the fault acts, for messages.
+std::string place_name(const Fault& fault, int region);
+
+}  // namespace evbal
