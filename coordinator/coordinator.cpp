@@ -25,7 +25,7 @@ void plan(const ProcessOptions& options, Participant& participant) {
         demand_by_tick(world, [&](int tick) { return faults_at(schedule, world.clock, tick).effects; }));
   }
   serve_coordinator(participant, options.name,
-                    [&](int tick, const std::vector<Report>& reports) { return coordinator.plan(tick, reports); });
+                    [&](const Tick& tick, const auto& reports) { return coordinator.plan(tick, reports); });
 }
 
 }  // namespace

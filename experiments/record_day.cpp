@@ -33,7 +33,7 @@ std::unique_ptr<Players> players_of(const Scenario& scenario, const std::filesys
   }
   return std::make_unique<InprocPlayers>(
       scenario.world,
-      [coordinator = coordinator_of(scenario)](int tick, const std::vector<Report>& reports) {
+      [coordinator = coordinator_of(scenario)](const Tick& tick, const std::vector<Report>& reports) {
         return coordinator->plan(tick, reports);
       },
       [&scenario](int tick) { return faults_at(scenario.schedule, scenario.world.clock, tick); });

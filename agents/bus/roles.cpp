@@ -111,7 +111,7 @@ void serve_agent(Participant& participant, const std::string& name, const std::v
 }
 
 void serve_coordinator(Participant& participant, const std::string& name,
-                       const std::function<Plan(int tick, const std::vector<Report>&)>& make_plan) {
+                       const std::function<Plan(const Tick&, const std::vector<Report>&)>& make_plan) {
   Reader<Tick> ticks(participant);
   Reader<std::vector<Report>> reports(participant);
   Writer<Plan> plans(participant);
@@ -121,7 +121,7 @@ void serve_coordinator(Participant& participant, const std::string& name,
     last = tick.tick;
     if (tick.plan_due) {
       const auto due = reports_of(reports, tick);
-      plans.write(with_origin([&] { return make_plan(tick.tick, due); }));
+      plans.write(with_origin([&] { return make_plan(tick, due); }));
     }
   }
 }

@@ -22,7 +22,7 @@ struct HostedRegion {
                               const std::vector<HostedRegion>& regions);
 
 [[noreturn]] void serve_coordinator(Participant& participant, const std::string& name,
-                                    const std::function<Plan(int tick, const std::vector<Report>&)>& plan);
+                                    const std::function<Plan(const Tick&, const std::vector<Report>&)>& plan);
 
 /// `faults` is asked one tick ahead, so that the conductor does not wait.
 [[noreturn]] void serve_injector(Participant& participant, const std::string& name,

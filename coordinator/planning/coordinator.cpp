@@ -133,17 +133,17 @@ PlanningData Coordinator::data(int minute, const std::vector<Report>& reports) c
   return data;
 }
 
-Plan Coordinator::plan(int tick, const std::vector<Report>& reports) {
-  assert(clock_.plan_due(tick));
-  const std::vector<Report> ordered = by_region(tick, reports, model_.regions());
-  const int minute = clock_.minute_of(tick);
+Plan Coordinator::plan(const Tick& tick, const std::vector<Report>& reports) {
+  assert(clock_.plan_due(tick.tick));
+  const std::vector<Report> ordered = by_region(tick.tick, reports, model_.regions());
+  const int minute = clock_.minute_of(tick.tick);
   demand_->observe(minute, each(ordered, &Report::demand));
   completions_->observe(minute, each(ordered, &Report::completions));
   const PlanningData known = data(minute, ordered);
   Decision decision = ladder_.decide(known);
 
   Plan plan;
-  plan.tick = tick;
+  plan.tick = tick.tick;
   add_moves(plan.moves, Errand::rebalance, decision.vacant, known.state.vacant);
   add_moves(plan.moves, Errand::charge, decision.low_battery, known.state.low_battery);
   plan.provenance = std::move(decision.provenance);

@@ -33,7 +33,7 @@ class Coordinator {
   /// The plan of `tick`, which is due; `reports` are those of all regions, in any order. To be called for every tick at
   /// which a plan is due, in turn: forecasts live on it. The Origin is left to the process that publishes the plan.
   /// Throws Error{run_failed} if a report is missing, repeated or of another tick.
-  Plan plan(int tick, const std::vector<Report>& reports);
+  Plan plan(const Tick& tick, const std::vector<Report>& reports);
 
  private:
   PlanningData data(int minute, const std::vector<Report>& reports) const;

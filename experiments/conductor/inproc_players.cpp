@@ -22,7 +22,7 @@ Exchange InprocPlayers::play(const Tick& tick) {
     for (auto& plant : plants_) {
       said.reports.push_back(with_origin([&] { return plant.report(); }));
     }
-    said.plan = with_origin([&] { return planner_(tick.tick, said.reports); });
+    said.plan = with_origin([&] { return planner_(tick, said.reports); });
   }
   for (auto& plant : plants_) {
     said.departures.push_back(with_origin([&] { return plant.live(said.plan ? &*said.plan : nullptr); }));

@@ -11,7 +11,7 @@ namespace evbal {
 /// The others as objects in this process, by direct calls.
 class InprocPlayers : public Players {
  public:
-  using Planner = std::function<Plan(int tick, const std::vector<Report>& reports)>;
+  using Planner = std::function<Plan(const Tick& tick, const std::vector<Report>& reports)>;
   using Injector = std::function<Faults(int tick)>;
 
   /// `world` must outlive the players.

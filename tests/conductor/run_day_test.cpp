@@ -30,7 +30,7 @@ std::vector<TickRecord> play(const World& world, Players& players) {
 
 std::vector<TickRecord> wander_through(const World& world, const std::vector<Faults>& faults, std::uint64_t seed) {
   InprocPlayers players(
-      world, [=](int tick, const std::vector<Report>& reports) { return test::wander(seed, tick, reports); },
+      world, [=](const Tick& tick, const auto& reports) { return test::wander(seed, tick.tick, reports); },
       [&](int tick) { return faults[tick]; });
   return play(world, players);
 }
@@ -53,7 +53,7 @@ class RavingPlayers : public Players {
  public:
   RavingPlayers(const World& world, const std::vector<Faults>& faults, std::uint64_t seed)
       : players_(
-            world, [=](int tick, const std::vector<Report>& reports) { return test::rave(seed, tick, reports); },
+            world, [=](const Tick& tick, const auto& reports) { return test::rave(seed, tick.tick, reports); },
             [&](int tick) { return faults[tick]; }) {}
 
   Faults faults(int tick) override { return players_.faults(tick); }
@@ -165,7 +165,7 @@ RC_GTEST_PROP(RunDay, ShowsEveryVehicleInOnePlace, ()) {
   const World world = *small_worlds();
   const auto faults = *faults_for(world);
   InprocPlayers players(
-      world, [](int tick, const std::vector<Report>& reports) { return test::wander(7, tick, reports); },
+      world, [](const Tick& tick, const auto& reports) { return test::wander(7, tick.tick, reports); },
       [&](int tick) { return faults[tick]; });
   Roads roads(draw_fleet(world));
   run_day(world, players, [&](const TickRecord& record) {
@@ -194,7 +194,7 @@ RC_GTEST_PROP(RunDay, ShowsEveryVehicleInOnePlace, ()) {
 RC_GTEST_PROP(RunDay, PlugsInFirstComeFirstServed, ()) {
   const World world = *small_worlds();
   InprocPlayers players(
-      world, [](int tick, const auto&) { return hold(tick); }, no_faults);
+      world, [](const Tick& tick, const auto&) { return hold(tick.tick); }, no_faults);
   std::vector<std::vector<Vehicle>> before(world.city.size());
   run_day(world, players, [&](const TickRecord&) {
     for (const auto& plant : players.plants()) {
@@ -240,8 +240,7 @@ Plan to_nearest_station(const City& city, int tick, const std::vector<Report>& r
 
 std::pair<int, int> served_and_lost(const World& world) {
   InprocPlayers players(
-      world,
-      [&](int tick, const std::vector<Report>& reports) { return to_nearest_station(world.city, tick, reports); },
+      world, [&](const Tick& tick, const auto& reports) { return to_nearest_station(world.city, tick.tick, reports); },
       no_faults);
   int served = 0;
   int lost = 0;
@@ -275,7 +274,7 @@ class LyingPlayers : public Players {
  public:
   LyingPlayers(const World& world, std::function<void(Exchange&)> lie)
       : players_(
-            world, [](int tick, const auto&) { return hold(tick); }, no_faults),
+            world, [](const Tick& tick, const auto&) { return hold(tick.tick); }, no_faults),
         lie_(std::move(lie)) {}
 
   Faults faults(int tick) override { return players_.faults(tick); }

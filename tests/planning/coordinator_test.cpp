@@ -15,6 +15,13 @@ namespace {
 
 const std::string date = "2008-06-03";
 
+Tick at(int tick) {
+  Tick announced;
+  announced.tick = tick;
+  announced.plan_due = true;
+  return announced;
+}
+
 std::vector<Report> quiet_reports(int tick, int vacant) {
   std::vector<Report> reports(3);
   for (int i = 0; i < 3; ++i) {
@@ -39,7 +46,7 @@ struct Spy {
 
 void expect_refused(Coordinator& coordinator, int tick, const std::vector<Report>& reports, const std::string& word) {
   try {
-    coordinator.plan(tick, reports);
+    coordinator.plan(at(tick), reports);
     FAIL() << "was accepted, expected a refusal about " << word;
   } catch (const Error& error) {
     EXPECT_EQ(error.status(), ExitStatus::run_failed);
@@ -50,7 +57,7 @@ void expect_refused(Coordinator& coordinator, int tick, const std::vector<Report
 TEST(Coordinator, BuildsTheProblemFromReportsAndModel) {
   const Spy spy;
   Coordinator coordinator(testing::small_city(), {}, date, {}, testing::small_model(), spy);
-  coordinator.plan(0, quiet_reports(0, 5));
+  coordinator.plan(at(0), quiet_reports(0, 5));
   EXPECT_EQ(spy.seen->transitions.size(), 2U);
   EXPECT_EQ(spy.seen->state.vacant(2), 5.0);
   EXPECT_EQ(spy.seen->demand.mean.size(), 6);
@@ -69,7 +76,7 @@ TEST(Coordinator, ForecastsFollowWhatIsReported) {
     for (Report& report : reports) {
       report.demand = tick == 0 ? 0 : 4;
     }
-    coordinator.plan(tick, reports);
+    coordinator.plan(at(tick), reports);
   }
   // 12 in half an hour against 4: deviation 8 by region, 200 % in the city.
   EXPECT_NEAR(spy.seen->demand.mean(0), 4.0 + 0.1 * 8.0 + 4.0 * 2.0 / 3.0, 1e-12);
@@ -83,13 +90,13 @@ TEST(Coordinator, ForeseesWhatItWasTold) {
   Eigen::MatrixXd demand = Eigen::MatrixXd::Zero(3, clock.ticks());
   demand.row(1).setLinSpaced(0.0, clock.ticks() - 1.0);
   coordinator.foresee(demand);
-  coordinator.plan(2, quiet_reports(2, 5));
+  coordinator.plan(at(2), quiet_reports(2, 5));
   EXPECT_DOUBLE_EQ(spy.seen->demand.mean(0), 0.0);
   EXPECT_DOUBLE_EQ(spy.seen->demand.mean(1), 2.0 + 3.0 + 4.0 + 5.0 + 6.0 + 7.0);
   EXPECT_DOUBLE_EQ(spy.seen->demand.mean(4), 8.0 + 9.0 + 10.0 + 11.0 + 12.0 + 13.0);
   EXPECT_LT(spy.seen->demand.standard_deviation().maxCoeff(), 0.01);
   const int last = clock.ticks() - 2;
-  coordinator.plan(last, quiet_reports(last, 5));
+  coordinator.plan(at(last), quiet_reports(last, 5));
   EXPECT_DOUBLE_EQ(spy.seen->demand.mean(1), last + last + 1.0) << "nothing after the day";
 }
 
@@ -133,7 +140,7 @@ RC_GTEST_PROP(CoordinatorProperty, NeverSendsMoreThanARegionHas, (std::uint64_t 
       report.plugged = static_cast<int>(random.below(static_cast<std::uint64_t>(report.points) + 1));
       report.bound = {{report.region, 7, Errand::passenger, static_cast<int>(random.below(4))}};
     }
-    const Plan plan = coordinator.plan(0, reports);
+    const Plan plan = coordinator.plan(at(0), reports);
     RC_ASSERT(plan.provenance.fallback == FallbackLevel::none);
     std::map<std::pair<Errand, int>, int> sent;
     for (std::size_t m = 0; m < plan.moves.size(); ++m) {

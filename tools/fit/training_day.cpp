@@ -112,7 +112,7 @@ TrainingDay play_training_day(const World& world, const CityModel& model, const 
   settings.controller = "greedy";
   Coordinator coordinator(world.city, world.clock, world.day.date, settings, model);
   InprocPlayers players(
-      world, [&](int tick, const std::vector<Report>& reports) { return coordinator.plan(tick, reports); },
+      world, [&](const Tick& tick, const auto& reports) { return coordinator.plan(tick, reports); },
       [](int tick) { return Faults{.tick = tick, .effects = {}, .origin = {}}; });
   Follower follower(world, period_starts, players.plants());
   TrainingDay day{Eigen::MatrixXd::Zero(world.city.size(), world.clock.steps()), {}, 0, 0};

@@ -48,7 +48,7 @@ void expect_whole(const Exchange& exchange, const Tick& tick) {
     EXPECT_EQ(digest(exchange.reports[i]), digest(fake::report(tick.tick, static_cast<int>(i))));
   }
   if (tick.plan_due) {
-    EXPECT_EQ(digest(*exchange.plan), digest(fake::plan(tick.tick, exchange.reports)));
+    EXPECT_EQ(digest(*exchange.plan), digest(fake::plan(tick, exchange.reports)));
   }
   const Plan* plan = exchange.plan ? &*exchange.plan : nullptr;
   for (std::size_t i = 0; i < exchange.departures.size(); ++i) {

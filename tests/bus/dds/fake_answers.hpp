@@ -33,9 +33,9 @@ inline Report report(int tick, int region) {
           .origin = {}};
 }
 
-inline Plan plan(int tick, const std::vector<Report>& reports) {
+inline Plan plan(const Tick& tick, const std::vector<Report>& reports) {
   Plan message;
-  message.tick = tick;
+  message.tick = tick.tick;
   message.provenance.controller = "fake";
   for (const auto& report : reports) {
     message.moves.push_back({.from = report.region, .to = 0, .count = report.vacant});

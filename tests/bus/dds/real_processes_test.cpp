@@ -84,7 +84,7 @@ class RealProcessesTest : public testing::Test {
     const World& world = scenario_.world;
     Coordinator coordinator(world.city, world.clock, world.day.date, scenario_.planning, model_);
     InprocPlayers players(
-        world, [&](int tick, const std::vector<Report>& reports) { return coordinator.plan(tick, reports); },
+        world, [&](const Tick& tick, const auto& reports) { return coordinator.plan(tick, reports); },
         [&](int tick) { return faults_at(scenario_.schedule, world.clock, tick); });
     return digest_of(players);
   }
