@@ -8,15 +8,19 @@ namespace evbal {
 
 /// What a random stream is for. Values are part of every recorded result: append, never renumber.
 enum class Purpose : std::uint32_t {
-  passenger = 1,        ///< minute, patience of a passenger
-  poisson_demand = 2,   ///< number of passengers of an origin-destination pair
-  extra_passenger = 3,  ///< passengers that a demand fault adds
-  fleet = 4,            ///< start region and charge of a vehicle
-  session = 5,          ///< length of a charging session
-  fault = 6,            ///< times, targets and magnitudes of a fault schedule
-  bootstrap = 7,        ///< resampling of residuals
-  synthetic_city = 8,   ///< generated cities
-  demand_sample = 9,    ///< samples of the demand that a controller plans for
+  passenger = 1,           ///< minute, patience of a passenger
+  poisson_demand = 2,      ///< number of passengers of an origin-destination pair
+  extra_passenger = 3,     ///< passengers that a demand fault adds
+  fleet = 4,               ///< start region and charge of a vehicle
+  session = 5,             ///< length of a charging session
+  fault = 6,               ///< times, targets and magnitudes of a fault schedule
+  bootstrap = 7,           ///< resampling of residuals
+  synthetic_city = 8,      ///< generated cities
+  demand_sample = 9,       ///< samples of the demand that a controller plans for
+  added_passenger = 10,    ///< passengers whom a demand fault adds by the hour
+  shifted_passenger = 11,  ///< who is redirected by a demand fault
+  breakdown = 12,          ///< which vehicle breaks down
+  sensor = 13,             ///< what a sensor says that does not measure
 };
 
 /// The place of a draw: who draws, when, and for which of several like things.

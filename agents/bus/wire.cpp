@@ -165,6 +165,7 @@ void pairs(const Copy& copy, Is<Departures> auto& own, auto& wire) {
   copy(own.plugged, wire.plugged());
   copy(own.points, wire.points());
   copy(own.waiting, wire.waiting());
+  copy(own.broken, wire.broken());
   copy(own.origin, wire.origin());
 }
 

@@ -13,9 +13,9 @@ namespace evbal {
 template <class Given, class Message>
 concept Is = std::same_as<std::remove_cvref_t<Given>, Message>;
 
-/// A field that says nothing on most days, `quiet`: a visitor with a function `rare` of its own may leave it out then.
-template <class Visit, class Field, class Value>
-void rare(Visit& visit, const char* name, Field& field, const Value& quiet) {
+/// A field that is quiet on most days: a visitor with a function `rare` of its own may leave it out then.
+template <class Visit, class Field>
+void rare(Visit& visit, const char* name, Field& field, bool quiet) {
   if constexpr (requires { visit.rare(name, field, quiet); }) {
     visit.rare(name, field, quiet);
   } else {
@@ -60,10 +60,10 @@ void fields(Visit&& visit, Is<Effect> auto& m) {
   visit("magnitude", m.magnitude);
   visit("on_start", m.on_start);
   visit("visible", m.visible);
-  rare(visit, "to", m.to, no_region);
-  rare(visit, "field", m.field, ReportField::none);
-  rare(visit, "process", m.process, ProcessRole::agent);
-  rare(visit, "topic", m.topic, NetworkTopic::all);
+  rare(visit, "to", m.to, m.to == no_region);
+  rare(visit, "field", m.field, m.field == ReportField::none);
+  rare(visit, "process", m.process, m.process == ProcessRole::agent);
+  rare(visit, "topic", m.topic, m.topic == NetworkTopic::all);
 }
 
 template <class Visit>
@@ -172,6 +172,7 @@ void fields(Visit&& visit, Is<Departures> auto& m) {
   visit("plugged", m.plugged);
   visit("points", m.points);
   visit("waiting", m.waiting);
+  rare(visit, "broken", m.broken, m.broken == 0);
   visit("origin", m.origin);
 }
 

@@ -22,8 +22,8 @@ class Writer {
   }
 
   template <class Field>
-  void rare(const char* name, const Field& field, const Field& quiet) {
-    if (field != quiet) {
+  void rare(const char* name, const Field& field, bool quiet) {
+    if (!quiet) {
       write(std::string(name));
       write(field);
     }

@@ -221,7 +221,9 @@ struct Fate {
 /// What a fault was seen to do in a region during a tick.
 struct Observed {
   std::int32_t fault = 0;
-  double amount = 0.0;  ///< passengers added or removed, points closed
+  /// Passengers added, removed or redirected; points closed or blocked; vehicles out of order; kWh not charged, or lost
+  /// on the road; further minutes of trips; what a report said too much
+  double amount = 0.0;
   std::int32_t evicted = 0;
 };
 
@@ -238,11 +240,12 @@ struct Departures {
   std::int32_t queue_minutes = 0;  ///< vehicle-minutes that low-battery cars waited in regions with stations
   std::int32_t stranded = 0;       ///< vehicles that arrived here with an empty battery
   double charged_kwh = 0.0;
-  std::int32_t vacant = 0;  ///< these five at the tick's end
+  std::int32_t vacant = 0;  ///< these six at the tick's end
   std::int32_t low_battery = 0;
   std::int32_t plugged = 0;
   std::int32_t points = 0;  ///< points that really work
   std::int32_t waiting = 0;
+  std::int32_t broken = 0;  ///< vehicles that are here and cannot be used
   Origin origin;
 };
 

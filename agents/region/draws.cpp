@@ -76,9 +76,15 @@ Eigen::MatrixXd demand_by_tick(const World& world, const std::function<std::vect
     }
   }
   for (int tick = 0; tick < world.clock.ticks(); ++tick) {
-    for (const Effect& effect : effects(tick)) {
+    const std::vector<Effect> active = effects(tick);
+    for (const Effect& effect : active) {
       if (effect.type == EffectType::demand_scale) {
         demand(effect.region, tick) *= effect.magnitude;
+      }
+    }
+    for (const Effect& effect : active) {
+      if (effect.type == EffectType::demand_add) {
+        demand(effect.region, tick) += effect.magnitude / 60.0 * world.clock.tick;
       }
     }
   }

@@ -57,7 +57,7 @@ void RegionPlant::end_sessions(int minute) {
 }
 
 void RegionPlant::plug_in(int minute) {
-  const int left = points_left(false);
+  const int left = points_left(false) - points_blocked(false);
   while (!state_.queue.empty() && size_of(state_.sessions) < left) {
     Vehicle vehicle = state_.queue.front();
     state_.queue.pop_front();
@@ -73,9 +73,12 @@ void RegionPlant::appear(int minute) {
     RandomStream stream(
         world_->seed, Purpose::extra_passenger,
         {.region = static_cast<std::uint64_t>(region_), .index = static_cast<std::uint64_t>(passenger.index)});
+    RandomStream turns(
+        world_->seed, Purpose::shifted_passenger,
+        {.region = static_cast<std::uint64_t>(region_), .index = static_cast<std::uint64_t>(passenger.index)});
     const int count = copies(stream.uniform());
     for (int i = 0; i < count; ++i) {
-      state_.waiting.push_back(passenger);
+      state_.waiting.push_back(redirected(passenger, turns));
       if (i > 0) {
         state_.waiting.back().patience = draw_patience(world_->city.passengers, stream.uniform());
       }
@@ -83,6 +86,7 @@ void RegionPlant::appear(int minute) {
     said_.demand += count;
     state_.demand += count;
   }
+  add_passengers(minute);
 }
 
 int RegionPlant::copies(double uniform) {
@@ -97,6 +101,42 @@ int RegionPlant::copies(double uniform) {
     }
   }
   return count;
+}
+
+void RegionPlant::add_passengers(int minute) {
+  for (std::size_t i = 0; i < incoming_.effects.size(); ++i) {
+    const Effect& effect = incoming_.effects[i];
+    if (effect.type != EffectType::demand_add) {
+      continue;
+    }
+    RandomStream stream(world_->seed, Purpose::added_passenger,
+                        {.region = static_cast<std::uint64_t>(region_),
+                         .tick = static_cast<std::uint64_t>(minute),
+                         .index = static_cast<std::uint64_t>(effect.fault)});
+    const int count = static_cast<int>(stream.poisson(effect.magnitude / 60.0));
+    for (int added = 0; added < count; ++added) {
+      const int destination = passengers_.empty() ? region_ : passengers_[stream.below(passengers_.size())].destination;
+      const Passenger passenger{.appears = minute,
+                                .patience = draw_patience(world_->city.passengers, stream.uniform()),
+                                .destination = destination};
+      state_.waiting.push_back(redirected(passenger, stream));
+    }
+    said_.observed[i].amount += count;
+    said_.demand += count;
+    state_.demand += count;
+  }
+}
+
+Passenger RegionPlant::redirected(Passenger passenger, RandomStream& stream) {
+  for (std::size_t i = 0; i < incoming_.effects.size(); ++i) {
+    const Effect& effect = incoming_.effects[i];
+    if (effect.type == EffectType::demand_shift && stream.uniform() < effect.magnitude &&
+        passenger.destination != effect.to) {
+      passenger.destination = effect.to;
+      said_.observed[i].amount += 1.0;
+    }
+  }
+  return passenger;
 }
 
 void RegionPlant::serve_or_lose(int minute) {
@@ -117,7 +157,8 @@ void RegionPlant::serve_or_lose(int minute) {
 }
 
 bool RegionPlant::try_serve(const Passenger& passenger, int minute) {
-  const auto car = std::lower_bound(state_.vacant.begin(), state_.vacant.end(), need_kwh_[passenger.destination],
+  const double needed = need_kwh_[passenger.destination] * factor(EffectType::fleet_drain, true);
+  const auto car = std::lower_bound(state_.vacant.begin(), state_.vacant.end(), needed,
                                     [](const Vehicle& vehicle, double need) { return vehicle.battery_kwh < need; });
   if (car == state_.vacant.end()) {
     return false;
@@ -135,8 +176,11 @@ bool RegionPlant::try_serve(const Passenger& passenger, int minute) {
 void RegionPlant::charge() {
   const double capacity = world_->city.fleet.battery_kwh;
   const double per_minute = world_->city.charging.power_kw / 60.0;
+  const double derated = per_minute * factor(EffectType::charger_derate, false);
   for (auto& session : state_.sessions) {
-    const double gain = std::min(per_minute, capacity - session.vehicle.battery_kwh);
+    const double room = capacity - session.vehicle.battery_kwh;
+    const double gain = std::min(derated, room);
+    observe(EffectType::charger_derate, std::min(per_minute, room) - gain);
     session.vehicle.battery_kwh += gain;
     said_.charged_kwh += gain;
   }

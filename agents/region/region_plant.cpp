@@ -17,10 +17,6 @@ int size_of(const auto& list) {
   return static_cast<int>(list.size());
 }
 
-int points_failing(const Effect& effect) {
-  return effect.type == EffectType::charger_outage ? static_cast<int>(std::lround(effect.magnitude)) : 0;
-}
-
 /// The energy that is enough for all but the farthest of `passengers`; without any, for a trip within the region.
 double reserve(const std::vector<Passenger>& passengers, const std::vector<double>& need_kwh, int region) {
   if (passengers.empty()) {
@@ -60,13 +56,16 @@ void RegionPlant::begin(const Tick& tick) {
   incoming_ = {};
   std::copy_if(tick.arrivals.begin(), tick.arrivals.end(), std::back_inserter(incoming_.arrivals), here);
   std::copy_if(tick.under_way.begin(), tick.under_way.end(), std::back_inserter(incoming_.under_way), here);
-  std::copy_if(tick.effects.begin(), tick.effects.end(), std::back_inserter(incoming_.effects), here);
+  std::copy_if(tick.effects.begin(), tick.effects.end(), std::back_inserter(incoming_.effects),
+               [&](const Effect& effect) { return here(effect) && family_of(effect.type) <= FaultFamily::sensor; });
   said_ = {};
   said_.tick = tick.tick;
   said_.region = region_;
   for (const auto& effect : incoming_.effects) {
     said_.observed.push_back({.fault = effect.fault});
   }
+  mend();
+  break_down();
   fail_points();
 }
 
@@ -74,10 +73,10 @@ Report RegionPlant::report() {
   Report report;
   report.tick = said_.tick;
   report.region = region_;
-  report.vacant = size_of(state_.vacant);
+  report.vacant = vacant_as_told();
   report.low_battery = size_of(state_.queue);
   report.plugged = size_of(state_.sessions);
-  report.points = working_points(true);
+  report.points = std::max(points_left(true) - points_blocked(true), report.plugged);
   report.waiting = size_of(state_.waiting);
   report.demand = std::exchange(state_.demand, 0);
   report.completions = std::exchange(state_.completions, 0);
@@ -120,35 +119,11 @@ std::vector<VehiclePlace> RegionPlant::census() const {
   for (const auto& session : state_.sessions) {
     places.push_back({session.vehicle.id, VehicleState::plugged});
   }
+  for (const auto& broken : state_.broken) {
+    places.push_back({broken.vehicle.id, VehicleState::broken});
+  }
   std::sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.vehicle < b.vehicle; });
   return places;
-}
-
-int RegionPlant::points_left(bool visible_only) const {
-  int left = points_;
-  for (const auto& effect : incoming_.effects) {
-    left -= effect.visible || !visible_only ? points_failing(effect) : 0;
-  }
-  return std::max(0, left);
-}
-
-int RegionPlant::working_points(bool visible_only) const {
-  return std::max(points_left(visible_only), size_of(state_.sessions));
-}
-
-void RegionPlant::fail_points() {
-  int left = points_;
-  for (std::size_t i = 0; i < incoming_.effects.size(); ++i) {
-    if (incoming_.effects[i].on_start != OnStart::evict) {
-      continue;
-    }
-    left = std::max(0, left - points_failing(incoming_.effects[i]));
-    while (size_of(state_.sessions) > left) {
-      state_.queue.push_front(state_.sessions.back().vehicle);
-      state_.sessions.pop_back();
-      ++said_.observed[i].evicted;
-    }
-  }
 }
 
 void RegionPlant::send_off(const Plan& plan) {
@@ -168,8 +143,9 @@ void RegionPlant::send_off(const Plan& plan) {
 }
 
 int RegionPlant::send_vacant(int to, int count) {
+  const double need = need_kwh_[to] * factor(EffectType::fleet_drain, true);
   int sent = 0;
-  while (sent < count && !state_.vacant.empty() && state_.vacant.back().battery_kwh >= need_kwh_[to]) {
+  while (sent < count && !state_.vacant.empty() && state_.vacant.back().battery_kwh >= need) {
     depart(state_.vacant.back(), to, Errand::rebalance, world_->clock.minute_of(said_.tick));
     state_.vacant.pop_back();
     ++sent;
@@ -178,9 +154,10 @@ int RegionPlant::send_vacant(int to, int count) {
 }
 
 int RegionPlant::send_low_battery(int to, int count) {
+  const double need = trip_kwh_[to] * factor(EffectType::fleet_drain, true);
   int sent = 0;
   for (int i = size_of(state_.queue) - 1; i >= 0 && sent < count; --i) {
-    if (state_.queue[i].battery_kwh >= trip_kwh_[to]) {
+    if (state_.queue[i].battery_kwh >= need) {
       depart(state_.queue[i], to, Errand::charge, world_->clock.minute_of(said_.tick));
       state_.queue.erase(state_.queue.begin() + i);
       ++sent;
@@ -190,23 +167,23 @@ int RegionPlant::send_low_battery(int to, int count) {
 }
 
 void RegionPlant::depart(Vehicle vehicle, int to, Errand errand, int minute) {
-  vehicle.battery_kwh = std::max(0.0, vehicle.battery_kwh - trip_kwh_[to]);
-  said_.departures.push_back(
-      {.minute = minute,
-       .to = to,
-       .arrival_minute = std::max(minute + trip_minutes_[to], world_->clock.minute_of(said_.tick + 1)),
-       .errand = errand,
-       .vehicle = vehicle,
-       .km = world_->city.km(region_, to)});
+  const double before = vehicle.battery_kwh;
+  const double as_usual = std::max(0.0, before - trip_kwh_[to]);
+  vehicle.battery_kwh = std::max(0.0, before - trip_kwh_[to] * factor(EffectType::fleet_drain, false));
+  const double slower = trip_minutes_[to] * factor(EffectType::travel_slow, false);
+  const int minutes = static_cast<int>(std::ceil(slower));
+  observe(EffectType::fleet_drain, as_usual - vehicle.battery_kwh);
+  observe(EffectType::travel_slow, minutes - trip_minutes_[to]);
+  said_.departures.push_back({.minute = minute,
+                              .to = to,
+                              .arrival_minute = std::max(minute + minutes, world_->clock.minute_of(said_.tick + 1)),
+                              .errand = errand,
+                              .vehicle = vehicle,
+                              .km = world_->city.km(region_, to)});
 }
 
 void RegionPlant::close_books() {
-  int closed = points_ - working_points(false);
-  for (std::size_t i = 0; i < incoming_.effects.size(); ++i) {
-    const int share = std::min(closed, points_failing(incoming_.effects[i]));
-    said_.observed[i].amount += share;
-    closed -= share;
-  }
+  count_points();
   std::sort(said_.departures.begin(), said_.departures.end(), [](const Departure& a, const Departure& b) {
     return std::tie(a.minute, a.vehicle.id) < std::tie(b.minute, b.vehicle.id);
   });
@@ -215,6 +192,7 @@ void RegionPlant::close_books() {
   said_.plugged = size_of(state_.sessions);
   said_.points = working_points(false);
   said_.waiting = size_of(state_.waiting);
+  said_.broken = size_of(state_.broken);
 }
 
 RegionPlant make_plant(const World& world, int region) {

@@ -3,6 +3,7 @@
 #include "agents/protocol/messages.hpp"
 #include "agents/region/draws.hpp"
 #include "agents/region/world.hpp"
+#include "common/random.hpp"
 
 #include <deque>
 #include <vector>
@@ -16,6 +17,12 @@ struct Session {
   int ends = 0;   ///< minute at which it leaves if nothing happens
 };
 
+/// A vehicle that cannot be used until its fault ends.
+struct BrokenDown {
+  Vehicle vehicle;
+  int fault = 0;
+};
+
 /// All that a region carries from one tick to the next.
 struct RegionState {
   std::vector<Vehicle> vacant;     ///< by (battery, id)
@@ -25,9 +32,10 @@ struct RegionState {
   int drawn = 0;                   ///< passengers of the day who have had their minute
   int demand = 0;                  ///< passengers who appeared since the last report
   int completions = 0;             ///< sessions that ended charged since the last report
+  std::vector<BrokenDown> broken;  ///< in the order in which they broke down
 };
 
-enum class VehicleState { vacant, low_battery, plugged };
+enum class VehicleState { vacant, low_battery, plugged, broken };
 
 struct VehiclePlace {
   int vehicle = 0;
@@ -43,20 +51,26 @@ struct VehiclePlace {
 /// has had a session. A session keeps its point for the minutes drawn, charges at full power until the battery is
 /// full, and ends `completed` unless the car is still low; then the car queues again.
 ///
-/// **A tick.** Failing points fail (below) before the report. Then the plan's moves go, in its order: vacant cars from
-/// the highest charge down, low-battery cars from the queue's tail, each only if it can get there (and, if vacant, on
-/// to a station). Then for each minute: cars arrive; sessions end; the queue's head plugs in; passengers appear;
-/// waiting passengers, first come first served, get the car with the lowest sufficient charge, or are lost when their
-/// patience has run out; plugged cars gain a minute's energy. A trip takes the mean minutes of its pair, rounded up,
-/// and costs its mean km, which the departing car's battery already shows. It arrives in a later tick, so a shorter
-/// trip takes until this tick's end.
+/// **A tick.** Vehicles break down and points fail (below) before the report. Then the plan's moves go, in its order:
+/// vacant cars from the highest charge down, low-battery cars from the queue's tail, each only if it can get there
+/// (and, if vacant, on to a station). Then for each minute: cars arrive; sessions end; the queue's head plugs in;
+/// passengers appear; waiting passengers, first come first served, get the car with the lowest sufficient charge, or
+/// are lost when their patience has run out; plugged cars gain a minute's energy. A trip takes the mean minutes of its
+/// pair, rounded up, and costs its mean km, which the departing car's battery already shows. It arrives in a later
+/// tick, so a shorter trip takes until this tick's end.
 ///
 /// **Failing points.** Free points fail first. `evict` unplugs the cars that came last and puts them at the queue's
 /// head; with `drain` a point in use fails when its session ends. `points` therefore counts max(points left, points in
-/// use).
+/// use). A blocked point works, but nobody can plug in; it counts in reports as one that does not work, if they are
+/// told.
 ///
 /// **Demand faults.** With factor m at a passenger's minute, floor(m + u) passengers appear in the place of one, u
-/// uniform and keyed by the passenger: the same passengers with and without the fault as far as it lets them.
+/// uniform and keyed by the passenger: the same passengers with and without the fault as far as it lets them. Added
+/// ones are Poisson by the minute and go where one of the region's passengers, drawn evenly, goes on this day.
+///
+/// **Vehicles that break down** are vacant ones, drawn evenly, as soon as there are any, and come back as they were. A
+/// report that is not told counts them as vacant. Trips that cost more energy are begun as if they did not, unless the
+/// region is told: the battery ends at 0 then, at worst.
 class RegionPlant {
  public:
   /// `passengers` as draw_passengers gives them. `world` must outlive the plant.
@@ -87,9 +101,16 @@ class RegionPlant {
     std::vector<Effect> effects;      ///< by fault
   };
 
+  double factor(EffectType type, bool visible_only) const;  ///< of all effects of a type together
   int points_left(bool visible_only) const;
   int working_points(bool visible_only) const;
+  int points_blocked(bool visible_only) const;
+  int vacant_as_told() const;
   void fail_points();
+  void break_down();
+  void mend();
+  void observe(EffectType type, double amount);  ///< adds to what the first effect of a type was seen to do
+  void count_points();
 
   void send_off(const Plan& plan);
   int send_vacant(int to, int count);
@@ -105,6 +126,8 @@ class RegionPlant {
   void charge();
 
   int copies(double uniform);
+  void add_passengers(int minute);
+  Passenger redirected(Passenger passenger, RandomStream& stream);
   void settle(Vehicle vehicle);  ///< a free car is vacant or joins the queue
   bool try_serve(const Passenger& passenger, int minute);
   void close_books();

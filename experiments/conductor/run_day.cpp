@@ -37,7 +37,7 @@ void check_complete(const Tick& tick, const Exchange& exchange) {
 
 /// With as many vehicles in every region as it was handed, plants + roads = fleet: each vehicle has one holder.
 void check_vehicles_and_points(const World& world, const Roads& roads, const Departures& said) {
-  const int here = said.vacant + said.low_battery + said.plugged;
+  const int here = said.vacant + said.low_battery + said.plugged + said.broken;
   const int handed = roads.held_by(said.region);
   require(here == handed, world, said.tick, said.region,
           "has " + std::to_string(here) + " vehicles, was handed " + std::to_string(handed));

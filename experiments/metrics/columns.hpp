@@ -30,6 +30,7 @@ void columns(Visit&& visit, const Stocks& s) {
   visit("plugged", s.plugged);
   visit("points", s.points);
   visit("waiting", s.waiting);
+  visit("broken", s.broken);
 }
 
 template <class Visit>

@@ -43,7 +43,8 @@ Stocks stocks_of(const Departures& said) {
           .low_battery = said.low_battery,
           .plugged = said.plugged,
           .points = said.points,
-          .waiting = said.waiting};
+          .waiting = said.waiting,
+          .broken = said.broken};
 }
 
 std::vector<RegionStep> count_regions(std::span<const TickRecord> window, int step, std::size_t regions) {
@@ -78,7 +79,7 @@ bool fleet_conserved(std::span<const TickRecord> ticks) {
     under_way += set_off_less_arrived(record);
     std::int64_t vehicles = under_way;
     for (const auto& said : record.exchange.departures) {
-      vehicles += said.vacant + said.low_battery + said.plugged;
+      vehicles += said.vacant + said.low_battery + said.plugged + said.broken;
     }
     if (vehicles != fleet.value_or(vehicles)) {
       return false;
@@ -94,14 +95,36 @@ struct Dispatched {
   std::vector<double> low_battery;
 };
 
-Dispatched after_dispatch(const TickRecord& record, std::size_t regions) {
+/// Those who are there when a tick's plan is made. Not as reported, for reports may be wrong, but as they stood when
+/// the tick before ended, less those that broke down since, evicted ones in the queue. Nobody has said yet how they
+/// stand at the day's start: there the reports must do.
+Dispatched before_dispatch(std::span<const TickRecord> ticks, std::size_t at, std::size_t regions) {
   Dispatched there{std::vector<double>(regions), std::vector<double>(regions)};
-  for (const auto& report : record.exchange.reports) {
-    const auto region = static_cast<std::size_t>(report.region);
-    there.supply[region] += report.vacant;
-    there.low_battery[region] += report.low_battery;
+  if (at == 0) {
+    for (const auto& report : ticks[at].exchange.reports) {
+      there.supply[static_cast<std::size_t>(report.region)] = report.vacant;
+      there.low_battery[static_cast<std::size_t>(report.region)] = report.low_battery;
+    }
+    return there;
   }
-  for (const auto& said : record.exchange.departures) {
+  for (const auto& before : ticks[at - 1].exchange.departures) {
+    const auto region = static_cast<std::size_t>(before.region);
+    there.supply[region] += before.vacant + before.broken;
+    there.low_battery[region] += before.low_battery;
+  }
+  for (const auto& said : ticks[at].exchange.departures) {
+    const auto region = static_cast<std::size_t>(said.region);
+    there.supply[region] -= said.broken;
+    for (const auto& observed : said.observed) {
+      there.low_battery[region] += observed.evicted;
+    }
+  }
+  return there;
+}
+
+Dispatched after_dispatch(std::span<const TickRecord> ticks, std::size_t at, std::size_t regions) {
+  Dispatched there = before_dispatch(ticks, at, regions);
+  for (const auto& said : ticks[at].exchange.departures) {
     for (const auto& departure : said.departures) {
       if (departure.errand != Errand::passenger) {
         auto& count = departure.errand == Errand::rebalance ? there.supply : there.low_battery;
@@ -140,7 +163,7 @@ void judge_plans(const MetricsFrame& frame, std::span<const TickRecord> ticks, C
     if (!ticks[at].tick.plan_due) {
       continue;
     }
-    const Dispatched there = after_dispatch(ticks[at], regions.size());
+    const Dispatched there = after_dispatch(ticks, at, regions.size());
     ++plans;
     for (std::size_t i = 0; i < regions.size(); ++i) {
       regions[i].supply += there.supply[i];
@@ -235,6 +258,7 @@ Stocks& Stocks::operator+=(const Stocks& other) {
   plugged += other.plugged;
   points += other.points;
   waiting += other.waiting;
+  broken += other.broken;
   return *this;
 }
 

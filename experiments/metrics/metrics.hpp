@@ -47,6 +47,7 @@ struct Stocks {
   std::int64_t plugged = 0;
   std::int64_t points = 0;   ///< working
   std::int64_t waiting = 0;  ///< passengers
+  std::int64_t broken = 0;   ///< vehicles that cannot be used
 
   Stocks& operator+=(const Stocks& other);
 };
@@ -93,10 +94,11 @@ struct DayMetrics {
 
 /// Measures the whole steps among `ticks`, which start at tick 0 and leave none out.
 ///
-/// Unfairness is taken for every plan: S_i and Y_i are the vacant and low-battery vehicles of region i's report plus
-/// the vehicles that moves of that tick bring minus those that they take away; demand and completions are those of
-/// the following step length (a window that would reach past the last tick is left out). A step takes the mean over
-/// its plans, a day the sum over its steps, so that `plan_every` does not change the scale.
+/// Unfairness is taken for every plan: S_i and Y_i are the vacant and low-battery vehicles in region i before it (as
+/// they really are, whatever was reported) plus the vehicles that moves of that tick bring minus those that they take
+/// away; demand and completions are those of the following step length (a window that would reach past the last tick is
+/// left out). A step takes the mean over its plans, a day the sum over its steps, so that `plan_every` does not change
+/// the scale.
 DayMetrics measure(const MetricsFrame& frame, std::span<const TickRecord> ticks);
 
 /// The totals by the names that summary.json and a scenario's `expect` use.

@@ -93,7 +93,7 @@ std::int64_t fleet_of(const DayMetrics& day) {
     return 0;
   }
   const CityStep& last = day.steps.back();
-  return last.stocks.vacant + last.stocks.low_battery + last.stocks.plugged + last.under_way;
+  return last.stocks.vacant + last.stocks.low_battery + last.stocks.plugged + last.stocks.broken + last.under_way;
 }
 
 }  // namespace

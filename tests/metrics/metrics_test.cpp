@@ -89,12 +89,24 @@ TEST(Metrics, SeeALostVehicle) {
   EXPECT_FALSE(measured(day).fleet_conserved);
 }
 
+TEST(Metrics, DoNotBelieveReports) {
+  auto day = small_day();
+  day[2].exchange.reports[1].vacant = 99;
+  day[2].exchange.reports[1].low_battery = -1;
+  EXPECT_EQ(measured(day).regions[3].supply, measured(small_day()).regions[3].supply);
+  EXPECT_EQ(measured(day).regions[3].low_battery_present, measured(small_day()).regions[3].low_battery_present);
+  day[2].exchange.departures[1].observed = {{.fault = 0, .amount = 1.0, .evicted = 2}};
+  day[2].exchange.departures[1].broken = 1;
+  EXPECT_EQ(measured(day).regions[3].supply, measured(small_day()).regions[3].supply - 1.0);
+  EXPECT_EQ(measured(day).regions[3].low_battery_present, measured(small_day()).regions[3].low_battery_present + 2.0);
+}
+
 TEST(Metrics, AWindowPastTheLastTickIsLeftOut) {
   auto day = small_day();
   auto frame = small_header().frame;
   frame.clock.plan_every = 5;
   day[3].tick.plan_due = true;
-  day[3].exchange.reports = {small_report(3, 0, 50), small_report(3, 1)};
+  day[2].exchange.departures[0].vacant = 50;
   EXPECT_EQ(measure(frame, day).steps[1].unfairness.demand, measured(small_day()).steps[1].unfairness.demand);
   EXPECT_EQ(measure(frame, day).regions[2].supply, (1.0 + 50.0) / 2.0);
 }

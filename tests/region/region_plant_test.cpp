@@ -1,6 +1,6 @@
 #include "agents/region/region_plant.hpp"
 
-#include "tests/support/worlds.hpp"
+#include "tests/region/plant_fixture.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -11,39 +11,9 @@
 namespace evbal {
 namespace {
 
-/// Two regions, a station in region 0, no recorded demand: each test brings its own cars and passengers.
-World two_regions(int points) {
-  World world = test::world_of({.regions = 2, .trips_per_day = 0.0, .vehicles = 0, .stations = 1, .points = points});
-  world.city.km << 2.0, 10.0, 10.0, 2.0;
-  world.city.minutes << 5.0, 20.5, 20.5, 5.0;
-  world.city.fleet.battery_kwh = 20.0;
-  world.city.fleet.km_per_kwh = 5.0;  // 0.4 kWh within, 2 kWh across, 4 kWh across and back
-  world.city.charging = {.power_kw = 60.0, .session_quantiles = {10.0, 10.0}};
-  return world;
-}
-
-Vehicle car(int id, double kwh) {
-  return {.id = id, .sessions = 0, .battery_kwh = kwh};
-}
-
-/// Lives through tick after tick.
-struct Life {
-  RegionPlant plant;
-  int tick = 0;
-
-  Departures next(std::vector<Effect> effects = {}, std::vector<Arrival> arrivals = {}, const Plan* plan = nullptr) {
-    begin(std::move(effects), std::move(arrivals));
-    return plant.live(plan);
-  }
-
-  void begin(std::vector<Effect> effects = {}, std::vector<Arrival> arrivals = {}) {
-    Tick next;
-    next.tick = tick++;
-    next.effects = std::move(effects);
-    next.arrivals = std::move(arrivals);
-    plant.begin(next);
-  }
-};
+using test::car;
+using test::Life;
+using test::two_regions;
 
 Effect outage(double points, OnStart on_start, bool visible = true) {
   return {

@@ -48,7 +48,7 @@ inline rc::Gen<World> small_worlds() {
   });
 }
 
-/// Up to six faults with random windows, regions and magnitudes, some of them absurdly large.
+/// Up to six faults of the world with random windows, regions and magnitudes, some of them absurdly large.
 inline rc::Gen<std::vector<Faults>> faults_for(const World& world) {
   return rc::gen::exec([world] {
     std::vector<Faults> by_tick(world.clock.ticks());
@@ -59,10 +59,12 @@ inline rc::Gen<std::vector<Faults>> faults_for(const World& world) {
     for (int fault = 0; fault < count; ++fault) {
       Effect effect;
       effect.fault = fault;
-      effect.type = *rc::gen::element(EffectType::demand_scale, EffectType::charger_outage);
+      effect.type = static_cast<EffectType>(*rc::gen::inRange(0, static_cast<int>(EffectType::travel_slow) + 1));
       effect.region = *rc::gen::inRange(0, world.city.size());
-      effect.magnitude =
-          effect.type == EffectType::demand_scale ? *rc::gen::inRange(0, 40) / 10.0 : *rc::gen::inRange(0, 8);
+      effect.to = effect.type == EffectType::demand_shift ? *rc::gen::inRange(0, world.city.size()) : no_region;
+      const bool counts = effect.type == EffectType::charger_outage || effect.type == EffectType::charger_block ||
+                          effect.type == EffectType::fleet_breakdown;
+      effect.magnitude = counts ? *rc::gen::inRange(0, 8) : *rc::gen::inRange(0, 40) / 10.0;
       effect.on_start = *rc::gen::element(OnStart::drain, OnStart::evict);
       effect.visible = *rc::gen::arbitrary<bool>();
       const int first = *rc::gen::inRange(0, world.clock.ticks());

@@ -30,6 +30,8 @@ CarState in_region(VehicleState state) {
       return CarState::low_battery;
     case VehicleState::plugged:
       return CarState::plugged;
+    case VehicleState::broken:
+      break;  // not on training days, which have no faults
   }
   return CarState::vacant;
 }
