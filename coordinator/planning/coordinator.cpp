@@ -98,6 +98,7 @@ Coordinator::Coordinator(const City& city, const DayClock& clock, const std::str
       session_quantiles_(city.charging.session_quantiles),
       same_step_dropoffs_(evbal::same_step_dropoffs(city, clock.step)),
       has_points_((city.points().array() > 0).cast<double>()),
+      told_(announced_demand({}, model_.regions())),
       ladder_(settings_.controller, std::move(balancer)) {
   check_fit(city, clock_, settings_, model_);
   const DayKind kind = model_.kind(date);
@@ -118,7 +119,8 @@ PlanningData Coordinator::data(int minute, const std::vector<Report>& reports) c
   data.minutes = minutes_;
   data.state = fleet_state(reports, minute, clock_.step, tau);
   data.points = points_ahead(reports, tau);
-  data.demand = moment_set(model_.demand.errors, demand_->forecast(minute, tau), demand_->scale(minute, tau));
+  data.demand = moment_set(model_.demand.errors, told_.as_announced(demand_->forecast(minute, tau), clock_.step),
+                           demand_->scale(minute, tau));
   data.demand_samples = gaussian_samples(data.demand, demand_samples);
   data.completions =
       moment_set(model_.completions.errors, has_points_.asDiagonal() * completions_->forecast(minute, tau),
@@ -133,12 +135,19 @@ PlanningData Coordinator::data(int minute, const std::vector<Report>& reports) c
   return data;
 }
 
+void Coordinator::observe(const Tick& tick, const std::vector<Report>& reports) {
+  const int minute = clock_.minute_of(tick.tick);
+  demand_->observe(minute, told_.as_usual(each(reports, &Report::demand), minute - told_at_));
+  completions_->observe(minute, each(reports, &Report::completions));
+  told_ = announced_demand(settings_.foresees() ? std::vector<Effect>{} : tick.effects, model_.regions());
+  told_at_ = minute;
+}
+
 Plan Coordinator::plan(const Tick& tick, const std::vector<Report>& reports) {
   assert(clock_.plan_due(tick.tick));
   const std::vector<Report> ordered = by_region(tick.tick, reports, model_.regions());
   const int minute = clock_.minute_of(tick.tick);
-  demand_->observe(minute, each(ordered, &Report::demand));
-  completions_->observe(minute, each(ordered, &Report::completions));
+  observe(tick, ordered);
   const PlanningData known = data(minute, ordered);
   Decision decision = ladder_.decide(known);
 

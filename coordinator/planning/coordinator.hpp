@@ -4,6 +4,7 @@
 #include "agents/protocol/messages.hpp"
 #include "common/clock.hpp"
 #include "coordinator/forecast/forecaster.hpp"
+#include "coordinator/planning/announced.hpp"
 #include "coordinator/planning/city_model.hpp"
 #include "coordinator/planning/ladder.hpp"
 #include "coordinator/planning/settings.hpp"
@@ -36,6 +37,7 @@ class Coordinator {
   Plan plan(const Tick& tick, const std::vector<Report>& reports);
 
  private:
+  void observe(const Tick& tick, const std::vector<Report>& reports);
   PlanningData data(int minute, const std::vector<Report>& reports) const;
 
   DayClock clock_;
@@ -48,6 +50,8 @@ class Coordinator {
   Eigen::VectorXd has_points_;  ///< 1 where the city has points, working or not, else 0
   std::unique_ptr<Forecaster> demand_;
   std::unique_ptr<Forecaster> completions_;
+  AnnouncedDemand told_;  ///< with the tick's plan
+  int told_at_ = 0;       ///< minute
   Ladder ladder_;
 };
 

@@ -83,6 +83,28 @@ TEST(Coordinator, ForecastsFollowWhatIsReported) {
   EXPECT_NEAR(spy.seen->completions.mean(0), 1.0 - 0.1 - 1.0 / 3.0, 1e-12);
 }
 
+TEST(Coordinator, ExpectsWhatItIsToldOfDemand) {
+  const auto mean_under = [](const Effect& effect, int reported) {
+    const Spy spy;
+    Coordinator coordinator(testing::small_city(), {}, date, {}, testing::small_model(), spy);
+    for (int tick = 0; tick <= 6; tick += 2) {
+      Tick announced = at(tick);
+      announced.effects = {effect};
+      auto reports = quiet_reports(tick, 5);
+      for (Report& report : reports) {
+        report.demand = report.region != effect.region ? 1 : tick == 0 ? 0 : reported;
+      }
+      coordinator.plan(announced, reports);
+    }
+    return spy.seen->demand.mean(effect.region);
+  };
+  const double usual = mean_under({.type = EffectType::charger_outage, .region = 1}, 4);
+  EXPECT_NEAR(mean_under({.type = EffectType::demand_scale, .region = 1, .magnitude = 2.0}, 8), 2.0 * usual, 1e-9);
+  EXPECT_NEAR(mean_under({.type = EffectType::demand_add, .region = 1, .magnitude = 36.0}, 10), usual + 18.0, 1e-9);
+  EXPECT_LT(mean_under({.type = EffectType::demand_scale, .region = 1, .magnitude = 2.0, .visible = false}, 8),
+            1.5 * usual);
+}
+
 TEST(Coordinator, ForeseesWhatItWasTold) {
   const Spy spy;
   const DayClock clock;
