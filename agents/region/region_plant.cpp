@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -93,7 +95,7 @@ Report RegionPlant::report() {
   for (const auto& [when, count] : bound) {
     report.bound.push_back({.region = region_, .minute = when.first, .errand = when.second, .count = count});
   }
-  return report;
+  return sensed(report, incoming_.effects, world_->clock.tick, world_->seed, state_.sensors, said_.observed);
 }
 
 Departures RegionPlant::live(const Plan* plan) {
@@ -127,19 +129,22 @@ std::vector<VehiclePlace> RegionPlant::census() const {
 }
 
 void RegionPlant::send_off(const Plan& plan) {
+  const bool of_now = plan.tick == said_.tick;
+  std::int64_t refused = 0;
   for (const auto& move : plan.moves) {
     if (move.from != region_ || move.count <= 0) {
       continue;
     }
-    const bool somewhere = move.to >= 0 && move.to < world_->city.size() && move.to != region_;
+    const bool somewhere = of_now && move.to >= 0 && move.to < world_->city.size() && move.to != region_;
     int sent = 0;
     if (somewhere && move.errand == Errand::rebalance) {
       sent = send_vacant(move.to, move.count);
     } else if (somewhere && move.errand == Errand::charge) {
       sent = send_low_battery(move.to, move.count);
     }
-    said_.refused += move.count - sent;
+    refused += move.count - sent;
   }
+  said_.refused = static_cast<std::int32_t>(std::min<std::int64_t>(refused, std::numeric_limits<std::int32_t>::max()));
 }
 
 int RegionPlant::send_vacant(int to, int count) {

@@ -2,6 +2,7 @@
 
 #include "agents/protocol/messages.hpp"
 #include "agents/region/draws.hpp"
+#include "agents/region/sensors.hpp"
 #include "agents/region/world.hpp"
 #include "common/random.hpp"
 
@@ -33,6 +34,7 @@ struct RegionState {
   int demand = 0;                  ///< passengers who appeared since the last report
   int completions = 0;             ///< sessions that ended charged since the last report
   std::vector<BrokenDown> broken;  ///< in the order in which they broke down
+  SensorMemory sensors;
 };
 
 enum class VehicleState { vacant, low_battery, plugged, broken };
@@ -79,11 +81,12 @@ class RegionPlant {
   /// Takes this region's arrivals and effects of the tick.
   void begin(const Tick& tick);
 
-  /// The region before anything moves. Counts restart: call it once where a plan is due.
+  /// The region before anything moves, as its sensors say. Counts restart: call it once where a plan is due.
   Report report();
 
   /// Sends off what the plan asks for as far as it is there, and lives through the tick's minutes.
-  /// `plan` is null where none is due.
+  /// `plan` is null where none is due; one of another
+  /// tick is refused as a whole.
   Departures live(const Plan* plan);
 
   int region() const { return region_; }

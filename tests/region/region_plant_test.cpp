@@ -179,6 +179,17 @@ TEST(RegionPlant, SendsOffWhatIsThereAndRefusesTheRest) {
   EXPECT_EQ(said.queue_minutes, 0) << "no station here, hence no queue";
 }
 
+TEST(RegionPlant, RefusesAPlanOfAnotherTick) {
+  const World world = two_regions(1);
+  Life life{{world, 0, {}, {car(0, 9.0)}}};
+  Plan plan = test::hold(1);
+  plan.moves = {{.from = 0, .to = 1, .count = 2147483647, .errand = Errand::rebalance},
+                {.from = 0, .to = 1, .count = 2147483647, .errand = Errand::charge}};
+  const Departures said = life.next({}, {}, &plan);
+  EXPECT_TRUE(said.departures.empty());
+  EXPECT_EQ(said.refused, 2147483647);
+}
+
 TEST(RegionPlant, ReportsWhatIsBoundForIt) {
   const World world = two_regions(1);
   RegionPlant plant(world, 0, {}, {});

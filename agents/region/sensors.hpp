@@ -1,0 +1,37 @@
+#pragma once
+
+#include "agents/protocol/messages.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace evbal {
+
+/// The numbers that sensors measure, as they really were when a report was made; by ReportField, which counts from 1.
+struct Reading {
+  int tick = 0;
+  std::array<std::int32_t, 7> values{};
+};
+
+/// What a sensor fault holds on to.
+struct HeldValue {
+  int fault = 0;
+  std::int32_t value = 0;
+};
+
+/// What sensors say must be known of earlier reports.
+struct SensorMemory {
+  std::vector<Reading> readings;  ///< of the day's reports so far, by tick
+  std::vector<HeldValue> stuck;   ///< of the sensor.stuck that are active
+};
+
+/// What a sensor says that is off.
+constexpr std::int32_t not_measured = -1;
+
+/// Makes of a true report what the sensors make of it under `effects`, which act in turn; other families are passed
+/// over. `observed`, by effect, is told by how much each changed its field. Garbage is drawn from the world's seed.
+Report sensed(const Report& truth, const std::vector<Effect>& effects, int tick_minutes, std::uint64_t seed,
+              SensorMemory& memory, std::vector<Observed>& observed);
+
+}  // namespace evbal
