@@ -1,0 +1,146 @@
+#pragma once
+
+#include "agents/protocol/fields.hpp"
+#include "common/error.hpp"
+
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+/// Messages as bytes: the fields in the order of the struct, numbers little-endian, lists and texts with their length
+/// before them. Whatever has `fields` can be written so.
+namespace evbal {
+
+static_assert(std::endian::native == std::endian::little, "digests and journals are of little-endian bytes");
+
+enum class Detail {
+  all,     ///< every field
+  digest,  ///< without Origins; rare fields (fields.hpp) only where they say something, with their name
+};
+
+/// Hands a value's bytes to `sink(pointer, size)`.
+template <class Sink>
+class ByteWriter {
+ public:
+  ByteWriter(Sink sink, Detail detail) : sink_(std::move(sink)), detail_(detail) {}
+
+  template <class Field>
+  void operator()(const char* /*name*/, const Field& field) {
+    write(field);
+  }
+
+  template <class Field>
+  void rare(const char* name, const Field& field, bool quiet) {
+    if (detail_ == Detail::all) {
+      write(field);
+    } else if (!quiet) {
+      write(std::string(name));
+      write(field);
+    }
+  }
+
+  template <class Number>
+  requires std::is_arithmetic_v<Number> || std::is_enum_v<Number>
+  void write(Number value) { sink_(&value, sizeof value); }
+
+  void write(const std::string& text) {
+    write(static_cast<std::uint64_t>(text.size()));
+    sink_(text.data(), text.size());
+  }
+
+  template <class Item>
+  void write(const std::vector<Item>& items) {
+    write(static_cast<std::uint64_t>(items.size()));
+    for (const auto& item : items) {
+      write(item);
+    }
+  }
+
+  template <class Message>
+  requires std::is_class_v<Message>
+  void write(const Message& message) {
+    if (detail_ == Detail::all || !std::is_same_v<Message, Origin>) {
+      fields(*this, message);
+    }
+  }
+
+ private:
+  Sink sink_;
+  Detail detail_;
+};
+
+/// Takes from bytes what a ByteWriter of all fields gave.
+class ByteReader {
+ public:
+  explicit ByteReader(std::string_view bytes) : rest_(bytes) {}
+
+  template <class Field>
+  void operator()(const char* /*name*/, Field& field) {
+    read(field);
+  }
+
+  template <class Number>
+  requires std::is_arithmetic_v<Number> || std::is_enum_v<Number>
+  void read(Number& value) { std::memcpy(&value, take(sizeof value).data(), sizeof value); }
+
+  void read(std::string& text) { text = take(size()); }
+
+  template <class Item>
+  void read(std::vector<Item>& items) {
+    items.clear();
+    for (std::uint64_t left = size(); left > 0; --left) {
+      read(items.emplace_back());
+    }
+  }
+
+  template <class Message>
+  requires std::is_class_v<Message>
+  void read(Message& message) { fields(*this, message); }
+
+  bool at_end() const { return rest_.empty(); }
+
+ private:
+  std::uint64_t size() {
+    std::uint64_t size = 0;
+    read(size);
+    return size;
+  }
+
+  std::string_view take(std::uint64_t size) {
+    if (size > rest_.size()) {
+      throw run_failed("bytes that are no message: too few of them");
+    }
+    const std::string_view taken = rest_.substr(0, size);
+    rest_.remove_prefix(size);
+    return taken;
+  }
+
+  std::string_view rest_;
+};
+
+template <class Message>
+std::string to_bytes(const Message& message) {
+  std::string bytes;
+  ByteWriter writer([&](const void* data, std::size_t size) { bytes.append(static_cast<const char*>(data), size); },
+                    Detail::all);
+  writer.write(message);
+  return bytes;
+}
+
+/// Throws Error{run_failed} if `bytes` are not those of a Message, by their number.
+template <class Message>
+Message from_bytes(std::string_view bytes) {
+  Message message;
+  ByteReader reader(bytes);
+  reader.read(message);
+  if (!reader.at_end()) {
+    throw run_failed("bytes that are no message: too many of them");
+  }
+  return message;
+}
+
+}  // namespace evbal
