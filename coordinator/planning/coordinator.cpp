@@ -1,5 +1,6 @@
 #include "coordinator/planning/coordinator.hpp"
 
+#include "agents/protocol/bytes.hpp"
 #include "common/error.hpp"
 #include "coordinator/ambiguity/gaussian_samples.hpp"
 #include "coordinator/balancing/controllers.hpp"
@@ -135,20 +136,29 @@ PlanningData Coordinator::data(int minute, const std::vector<Report>& reports) c
   return data;
 }
 
-void Coordinator::observe(const Tick& tick, const std::vector<Report>& reports) {
+/// Takes what the reports count; gives them back in the order of their regions.
+std::vector<Report> Coordinator::observe(const Tick& tick, const std::vector<Report>& reports) {
+  assert(clock_.plan_due(tick.tick));
+  std::vector<Report> ordered = by_region(tick.tick, reports, model_.regions());
   const int minute = clock_.minute_of(tick.tick);
-  demand_->observe(minute, told_.as_usual(each(reports, &Report::demand), minute - told_at_));
-  completions_->observe(minute, each(reports, &Report::completions));
+  demand_->observe(minute, told_.as_usual(each(ordered, &Report::demand), minute - told_at_));
+  completions_->observe(minute, each(ordered, &Report::completions));
   told_ = announced_demand(settings_.foresees() ? std::vector<Effect>{} : tick.effects, model_.regions());
   told_at_ = minute;
+  return ordered;
+}
+
+std::string Coordinator::memory() const {
+  return to_bytes(ladder_.memory());
+}
+
+void Coordinator::recall(const Tick& tick, const std::vector<Report>& reports, const std::string& memory) {
+  observe(tick, reports);
+  ladder_.recall(from_bytes<LadderMemory>(memory));
 }
 
 Plan Coordinator::plan(const Tick& tick, const std::vector<Report>& reports) {
-  assert(clock_.plan_due(tick.tick));
-  const std::vector<Report> ordered = by_region(tick.tick, reports, model_.regions());
-  const int minute = clock_.minute_of(tick.tick);
-  observe(tick, ordered);
-  const PlanningData known = data(minute, ordered);
+  const PlanningData known = data(clock_.minute_of(tick.tick), observe(tick, reports));
   Decision decision = ladder_.decide(known);
 
   Plan plan;

@@ -36,8 +36,15 @@ class Coordinator {
   /// Throws Error{run_failed} if a report is missing, repeated or of another tick.
   Plan plan(const Tick& tick, const std::vector<Report>& reports);
 
+  /// What later plans depend on beside the reports, as bytes.
+  std::string memory() const;
+
+  /// In place of plan(), for a coordinator that takes over from another: the tick's reports, and what the other's
+  /// memory() was after its plan. Throws as plan() does.
+  void recall(const Tick& tick, const std::vector<Report>& reports, const std::string& memory);
+
  private:
-  void observe(const Tick& tick, const std::vector<Report>& reports);
+  std::vector<Report> observe(const Tick& tick, const std::vector<Report>& reports);
   PlanningData data(int minute, const std::vector<Report>& reports) const;
 
   DayClock clock_;

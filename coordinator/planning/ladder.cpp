@@ -46,12 +46,10 @@ Decision Ladder::decide(const PlanningData& data) {
 }
 
 Decision Ladder::solved(BalancingResult result, FallbackLevel level, std::string reason) {
-  failures_in_a_row_ = 0;
-  last_ = std::move(result.dispatch);
-  next_step_ = 1;
+  memory_ = {.last = std::move(result.dispatch), .next_step = 1, .failures_in_a_row = 0};
   const Certificate& certificate = result.certificate;
-  return {step_of(last_.vacant, 0),
-          step_of(last_.low_battery, 0),
+  return {step_of(memory_.last.vacant, 0),
+          step_of(memory_.last.low_battery, 0),
           {.controller = controller_,
            .engine = {},
            .fallback = level,
@@ -64,15 +62,16 @@ Decision Ladder::solved(BalancingResult result, FallbackLevel level, std::string
 }
 
 Decision Ladder::unsolved(const PlanningData& data, const std::string& reason) {
-  ++failures_in_a_row_;
-  const std::size_t step = next_step_++;
+  const Dispatch& last = memory_.last;
+  const std::size_t step = memory_.next_step++;
+  ++memory_.failures_in_a_row;
   Decision decision;
   decision.provenance.controller = controller_;
   decision.provenance.fallback = FallbackLevel::hold;
-  decision.provenance.reason = reason + "; failures in a row: " + std::to_string(failures_in_a_row_);
-  if (step > 0 && step < std::max(last_.vacant.size(), last_.low_battery.size())) {
-    decision.vacant = within(step_of(last_.vacant, step), data.state.vacant);
-    decision.low_battery = within(step_of(last_.low_battery, step), data.state.low_battery);
+  decision.provenance.reason = reason + "; failures in a row: " + std::to_string(memory_.failures_in_a_row);
+  if (step > 0 && step < std::max(last.vacant.size(), last.low_battery.size())) {
+    decision.vacant = within(step_of(last.vacant, step), data.state.vacant);
+    decision.low_battery = within(step_of(last.low_battery, step), data.state.low_battery);
     decision.provenance.fallback = FallbackLevel::shifted;
   }
   return decision;

@@ -2,10 +2,11 @@
 
 #include "agents/protocol/messages.hpp"
 #include "coordinator/balancing/problem.hpp"
+#include "coordinator/planning/ladder_memory.hpp"
 
-#include <cstddef>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace evbal {
@@ -28,15 +29,18 @@ class Ladder {
 
   Decision decide(const PlanningData& data);
 
+  const LadderMemory& memory() const { return memory_; }
+
+  /// Goes on from where another ladder of the same controller was.
+  void recall(LadderMemory memory) { memory_ = std::move(memory); }
+
  private:
   Decision solved(BalancingResult result, FallbackLevel level, std::string reason);
   Decision unsolved(const PlanningData& data, const std::string& reason);
 
   std::string controller_;
   Balancer balancer_;
-  Dispatch last_;              ///< of the last solve that succeeded
-  std::size_t next_step_ = 0;  ///< of last_, if this plan cannot be solved
-  int failures_in_a_row_ = 0;
+  LadderMemory memory_;
 };
 
 }  // namespace evbal

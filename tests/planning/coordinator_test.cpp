@@ -1,5 +1,6 @@
 #include "coordinator/planning/coordinator.hpp"
 
+#include "agents/protocol/bytes.hpp"
 #include "common/error.hpp"
 #include "common/random.hpp"
 #include "coordinator/balancing/controllers.hpp"
@@ -120,6 +121,46 @@ TEST(Coordinator, ForeseesWhatItWasTold) {
   const int last = clock.ticks() - 2;
   coordinator.plan(at(last), quiet_reports(last, 5));
   EXPECT_DOUBLE_EQ(spy.seen->demand.mean(1), last + last + 1.0) << "nothing after the day";
+}
+
+TEST(Coordinator, TakesOverFromAnother) {
+  int solves = 0;
+  const Balancer fails_from_the_fourth_on = [&solves](const std::string&, const PlanningData& data) {
+    BalancingResult result;
+    result.certificate.optimal = ++solves <= 3;
+    result.certificate.objective = data.demand.mean.sum();
+    result.dispatch.vacant = {{{0, 1, 1.0 * solves}}, {{1, 2, 2.0}}, {{2, 0, 3.0}}};
+    return result;
+  };
+  PlanningSettings settings;
+  settings.controller = "nominal";
+  const auto made = [&] {
+    return Coordinator(testing::small_city(), {}, date, settings, testing::small_model(), fails_from_the_fourth_on);
+  };
+  const auto reports = [](int tick) {
+    auto list = quiet_reports(tick, 9);
+    list[1].demand = tick;
+    return list;
+  };
+  Coordinator first = made();
+  std::vector<std::string> plans;
+  std::vector<std::string> memories;
+  for (int tick = 0; tick < 12; tick += 2) {
+    plans.push_back(to_bytes(first.plan(at(tick), reports(tick))));
+    memories.push_back(first.memory());
+  }
+  for (std::size_t known = 0; known < plans.size(); ++known) {
+    Coordinator second = made();
+    solves = static_cast<int>(known);
+    for (std::size_t i = 0; i < plans.size(); ++i) {
+      const int tick = 2 * static_cast<int>(i);
+      if (i < known) {
+        second.recall(at(tick), reports(tick), memories[i]);
+      } else {
+        EXPECT_EQ(to_bytes(second.plan(at(tick), reports(tick))), plans[i]) << known << " recalled, plan " << i;
+      }
+    }
+  }
 }
 
 TEST(Coordinator, RefusesReportsThatAreNotThoseOfTheTick) {
