@@ -20,7 +20,7 @@ void host(const ProcessOptions& options, Participant& participant) {
                        .report = [&plant] { return plant.report(); },
                        .live = [&plant](const Plan* plan) { return plant.live(plan); }});
   }
-  serve_agent(participant, options.name, regions);
+  serve_agent(participant, options, regions);
 }
 
 }  // namespace

@@ -24,8 +24,12 @@ void plan(const ProcessOptions& options, Participant& participant) {
     coordinator.foresee(
         demand_by_tick(world, [&](int tick) { return faults_at(schedule, world.clock, tick).effects; }));
   }
-  serve_coordinator(participant, options.name,
-                    [&](const Tick& tick, const auto& reports) { return coordinator.plan(tick, reports); });
+  const Planner planner = {
+      .plan = [&](const Tick& tick, const auto& reports) { return coordinator.plan(tick, reports); },
+      .memory = [&] { return coordinator.memory(); },
+      .recall = [&](const Tick& tick, const auto& reports,
+                    const auto& memory) { coordinator.recall(tick, reports, memory); }};
+  serve_coordinator(participant, options, planner);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ void inject(const ProcessOptions& options, Participant& participant) {
   const World world = read_world(scenario);
   const Eigen::VectorXi points = world.city.points();
   const Schedule schedule = read_resolved(scenario, {world.clock, {points.begin(), points.end()}});
-  serve_injector(participant, options.name, [&](int tick) { return faults_at(schedule, world.clock, tick); });
+  serve_injector(participant, options, [&](int tick) { return faults_at(schedule, world.clock, tick); });
 }
 
 }  // namespace

@@ -117,6 +117,8 @@ void find_each_other(dds::DomainParticipantQos& qos, const BusAddress& address) 
       builtin.initialPeersList.push_back(loopback(discovery_port(address.domain, peer)));
     }
   }
+  // Who is started again meets the others at their next announcement, should it have missed their first answer.
+  builtin.discovery_config.leaseDuration_announcementperiod = Duration_t(0, 500'000'000);
   builtin.discovery_config.initial_announcements.count = 100;
   builtin.discovery_config.initial_announcements.period = Duration_t(0, 100'000'000);
 }

@@ -34,6 +34,7 @@ void add_options(CLI::App& app, ProcessOptions& options) {
   app.add_option("--participant", options.address.participant, "This process's number in the domain")->required();
   app.add_option("--participants", options.address.participants, "Processes of the run")->required();
   app.add_option("--scenario", options.scenario, "The run's scenario.resolved.yaml")->required();
+  app.add_option("--journal", options.journal, "What the process must know if it is started again")->required();
   app.add_option("--first-region", options.first_region, "First of the regions that an agent hosts");
   app.add_option("--last-region", options.last_region, "Last of them");
 }
@@ -47,6 +48,7 @@ std::vector<std::string> arguments(const ProcessOptions& options) {
           "--participant",  std::to_string(options.address.participant),
           "--participants", std::to_string(options.address.participants),
           "--scenario",     options.scenario.string(),
+          "--journal",      options.journal.string(),
           "--first-region", std::to_string(options.first_region),
           "--last-region",  std::to_string(options.last_region)};
 }

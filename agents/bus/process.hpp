@@ -14,6 +14,7 @@ struct ProcessOptions {
   std::string name;  ///< "agent-0", "coordinator", "faults"
   BusAddress address;
   std::filesystem::path scenario;  ///< the run's scenario.resolved.yaml
+  std::filesystem::path journal;   ///< what the process knows if it is started again (common/journal.hpp)
   int first_region = 0;            ///< of an agent, which hosts first_region..last_region
   int last_region = 0;
 };

@@ -1,12 +1,13 @@
 #include "agents/bus/roles.hpp"
 
+#include "agents/bus/journal_entries.hpp"
 #include "agents/protocol/origin.hpp"
+#include "common/journal.hpp"
 
 #include <unistd.h>
 
 #include <algorithm>
 #include <map>
-#include <optional>
 #include <thread>
 
 namespace evbal {
@@ -16,6 +17,12 @@ using namespace std::chrono_literals;
 
 constexpr auto nap = 1000ms;  // between looks at the clock while nothing comes
 constexpr auto glance = 2ms;  // between looks at who is connected
+
+/// What an agent says in a tick.
+struct Answers {
+  std::vector<Report> reports;
+  std::vector<Departures> departures;
+};
 
 /// What each region says, in turn, with its origin.
 template <class Message>
@@ -27,6 +34,31 @@ std::vector<Message> ask(const std::vector<HostedRegion>& regions,
     answers.push_back(with_origin([&] { return question(region); }));
   }
   return answers;
+}
+
+void begin(const std::vector<HostedRegion>& regions, const Tick& tick) {
+  for (const auto& region : regions) {
+    region.begin(tick);
+  }
+}
+
+std::vector<Report> ask_reports(const std::vector<HostedRegion>& regions) {
+  return ask<Report>(regions, [](const auto& region) { return region.report(); });
+}
+
+std::vector<Departures> ask_departures(const std::vector<HostedRegion>& regions, const AgentEntry& told) {
+  const Plan* plan = told.plan.empty() ? nullptr : &told.plan.front();
+  return ask<Departures>(regions, [&](const auto& region) { return region.live(plan); });
+}
+
+Answers live_again(const std::vector<HostedRegion>& regions, const AgentEntry& told) {
+  Answers said;
+  begin(regions, told.tick);
+  if (told.tick.plan_due) {
+    said.reports = ask_reports(regions);
+  }
+  said.departures = ask_departures(regions, told);
+  return said;
 }
 
 template <class Connected>
@@ -84,53 +116,76 @@ std::vector<Report> reports_of(Reader<std::vector<Report>>& reader, const Tick& 
 
 }  // namespace
 
-void serve_agent(Participant& participant, const std::string& name, const std::vector<HostedRegion>& regions) {
+void serve_agent(Participant& participant, const ProcessOptions& options, const std::vector<HostedRegion>& regions) {
+  Journal journal(options.journal);
+  Answers said;
+  int last = -1;
+  for (const auto& bytes : journal.entries()) {
+    const auto told = from_bytes<AgentEntry>(bytes);
+    said = live_again(regions, told);
+    last = told.tick.tick;
+  }
   Reader<Tick> ticks(participant);
   Reader<Plan> plans(participant);
   Writer<std::vector<Report>> report_writer(participant);
   Writer<std::vector<Departures>> departure_writer(participant);
-  say_hello(participant, name, [&] {
+  say_hello(participant, options.name, [&] {
     const int listeners = 2;  // the conductor records what the coordinator gets
     return ticks.writers() > 0 && plans.writers() > 0 && report_writer.readers() >= listeners &&
            departure_writer.readers() > 0;
   });
-  for (int last = -1;;) {
-    const Tick tick = next_tick(ticks, last);
-    last = tick.tick;
-    for (const auto& region : regions) {
-      region.begin(tick);
+  if (last >= 0) {
+    if (!said.reports.empty()) {
+      report_writer.write(said.reports);
     }
-    std::optional<Plan> plan;
-    if (tick.plan_due) {
-      report_writer.write(ask<Report>(regions, [](const auto& region) { return region.report(); }));
-      plan = plan_of(plans, tick.tick);
+    departure_writer.write(said.departures);
+  }
+  const int first = options.first_region;
+  for (;;) {
+    AgentEntry told{.tick = for_regions(next_tick(ticks, last), first, options.last_region), .plan = {}};
+    last = told.tick.tick;
+    begin(regions, told.tick);
+    if (told.tick.plan_due) {
+      report_writer.write(ask_reports(regions));
+      told.plan.push_back(for_regions(plan_of(plans, last), first, options.last_region));
     }
-    departure_writer.write(
-        ask<Departures>(regions, [&](const auto& region) { return region.live(plan ? &*plan : nullptr); }));
+    journal.append(to_bytes(told));
+    departure_writer.write(ask_departures(regions, told));
   }
 }
 
-void serve_coordinator(Participant& participant, const std::string& name,
-                       const std::function<Plan(const Tick&, const std::vector<Report>&)>& make_plan) {
+void serve_coordinator(Participant& participant, const ProcessOptions& options, const Planner& planner) {
+  Journal journal(options.journal);
+  CoordinatorEntry last;
+  last.tick.tick = -1;
+  for (const auto& bytes : journal.entries()) {
+    last = from_bytes<CoordinatorEntry>(bytes);
+    planner.recall(last.tick, last.reports, last.memory);
+  }
   Reader<Tick> ticks(participant);
   Reader<std::vector<Report>> reports(participant);
   Writer<Plan> plans(participant);
-  say_hello(participant, name, [&] { return ticks.writers() > 0 && plans.readers() > 0; });
-  for (int last = -1;;) {
-    const Tick tick = next_tick(ticks, last);
-    last = tick.tick;
-    if (tick.plan_due) {
-      const auto due = reports_of(reports, tick);
-      plans.write(with_origin([&] { return make_plan(tick, due); }));
+  say_hello(participant, options.name, [&] { return ticks.writers() > 0 && plans.readers() > 0; });
+  if (last.tick.tick >= 0) {
+    plans.write(last.plan);
+  }
+  for (;;) {
+    last.tick = next_tick(ticks, last.tick.tick);
+    if (last.tick.plan_due) {
+      last.reports = reports_of(reports, last.tick);
+      last.plan = with_origin([&] { return planner.plan(last.tick, last.reports); });
+      last.memory = planner.memory();
+      journal.append(to_bytes(last));
+      plans.write(last.plan);
     }
   }
 }
 
-void serve_injector(Participant& participant, const std::string& name,
+void serve_injector(Participant& participant, const ProcessOptions& options,
                     const std::function<Faults(int tick)>& faults_of) {
   Reader<Tick> ticks(participant);
   Writer<Faults> writer(participant);
-  say_hello(participant, name, [&] { return ticks.writers() > 0 && writer.readers() > 0; });
+  say_hello(participant, options.name, [&] { return ticks.writers() > 0 && writer.readers() > 0; });
   for (int tick = -1;; tick = next_tick(ticks, tick).tick) {
     writer.write(with_origin([&] { return faults_of(tick + 1); }));
   }

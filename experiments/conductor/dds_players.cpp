@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace evbal {
@@ -15,6 +16,8 @@ namespace {
 
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
+
+constexpr auto glance = 20ms;  // between looks at the processes while nothing comes
 
 int agents(const DdsRun& run) {
   return (run.regions + run.regions_per_process - 1) / run.regions_per_process;
@@ -71,6 +74,16 @@ class Collected {
 
 }  // namespace
 
+EmptyFolder::EmptyFolder(std::filesystem::path path) : path_(std::move(path)) {
+  std::filesystem::remove_all(path_);
+  std::filesystem::create_directories(path_);
+}
+
+EmptyFolder::~EmptyFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
 struct DdsPlayers::Topics {
   explicit Topics(Participant& participant)
       : hello(participant),
@@ -89,7 +102,7 @@ struct DdsPlayers::Topics {
 };
 
 DdsPlayers::DdsPlayers(const DdsRun& run)
-    : run_(run), domain_(participants(run)), supervisor_(run.folder / "processes") {
+    : run_(run), domain_(participants(run)), journals_(run.folder / "journals"), supervisor_(run.folder / "processes") {
   const auto begin = Clock::now();
   BusAddress address{.run = new_run_id(),
                      .domain = domain_.domain(),
@@ -110,9 +123,10 @@ void DdsPlayers::start_processes(BusAddress address) {
                       arguments({.name = name,
                                  .address = address,
                                  .scenario = run_.folder / "scenario.resolved.yaml",
+                                 .journal = journals_.path() / name,
                                  .first_region = first_region,
                                  .last_region = last_region}));
-    names_.insert(name);
+    absent_.insert(name);
   };
   address.participant = BusAddress::coordinator;
   start("coordinator", "evbal-coordinator", 0, 0);
@@ -135,23 +149,33 @@ void DdsPlayers::await(const std::string& what, const Reader<Message>& reader,
   const auto deadline = Clock::now() + run_.patience;
   for (auto names = missing(); !names.empty(); names = missing()) {
     check_interrupt();
-    supervisor_.check();
+    look_after_processes();
     if (Clock::now() > deadline) {
       throw run_failed("no " + what + " from " + listed(names) + " within " + std::to_string(run_.patience.count()) +
                        " s");
     }
-    reader.wait(50ms);
+    reader.wait(glance);
   }
 }
 
 void DdsPlayers::await_hellos() {
-  auto missing = names_;
-  await("hello", topics_->hello, [&] {
-    for (const auto& hello : topics_->hello.take()) {
-      missing.erase(hello.name);
+  await("hello", topics_->hello, [&] { return absent_; });
+}
+
+void DdsPlayers::look_after_processes() {
+  for (const auto& death : supervisor_.revive()) {
+    incidents_.push_back({"process ended", death.process + ": " + death.how});
+    absent_.insert(death.process);
+    deaths_[death.process] = Clock::now();
+  }
+  for (const auto& hello : topics_->hello.take()) {
+    if (hello.process_id == supervisor_.process_id(hello.name) && absent_.erase(hello.name) > 0 &&
+        deaths_.contains(hello.name)) {
+      const double seconds = std::chrono::duration<double>(Clock::now() - deaths_[hello.name]).count();
+      incidents_.push_back({"process back", hello.name + ": process " + std::to_string(hello.process_id) + ", after " +
+                                                std::to_string(seconds) + " s"});
     }
-    return missing;
-  });
+  }
 }
 
 Faults DdsPlayers::faults(int tick) {
@@ -200,6 +224,8 @@ Exchange DdsPlayers::play(const Tick& tick) {
     return hosts(departures.missing());
   });
   exchange.departures = departures.by_region();
+  supervisor_.progress();
+  exchange.incidents = std::exchange(incidents_, {});
   return exchange;
 }
 

@@ -8,24 +8,41 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace evbal {
 
 /// What the processes of a run are started from.
 struct DdsRun {
-  std::filesystem::path folder;  ///< the run directory: scenario.resolved.yaml is there, processes/ is made
+  /// The run directory: scenario.resolved.yaml is there, processes/ is made, and journals/ as long as the run lasts.
+  std::filesystem::path folder;
   int regions = 0;
   int regions_per_process = 1;
   std::filesystem::path programs = own_folder();  ///< where evbal-agent, evbal-coordinator and evbal-faults are
   std::chrono::seconds patience{120};             ///< longest wait for anything
 };
 
-/// The others as processes on the bus: starts them, waits until all are there, and ends them when destroyed. Made
-/// before anything else of this process touches DDS.
+/// A folder that is empty to begin with and goes with its owner.
+class EmptyFolder {
+ public:
+  explicit EmptyFolder(std::filesystem::path path);
+  ~EmptyFolder();
+  EmptyFolder(const EmptyFolder&) = delete;
+  EmptyFolder& operator=(const EmptyFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// The others as processes on the bus: starts them, waits until all are there, and ends them when destroyed. One that
+/// a signal ends meanwhile is started again and waited for. Made before anything else of this process touches DDS.
 class DdsPlayers : public Players {
  public:
   /// Throws Error{run_failed} naming who did not come.
@@ -48,6 +65,9 @@ class DdsPlayers : public Players {
   void await_hellos();
   std::string host_of(int region) const;
 
+  /// Starts again who died, hears who is back.
+  void look_after_processes();
+
   /// Waits until `missing`, which takes from `reader`, gives no name any more.
   template <class Message>
   void await(const std::string& what, const Reader<Message>& reader,
@@ -55,8 +75,11 @@ class DdsPlayers : public Players {
 
   DdsRun run_;
   DomainLock domain_;
+  EmptyFolder journals_;
   Supervisor supervisor_;
-  std::set<std::string> names_;
+  std::set<std::string> absent_;  ///< from whom no hello has come since the start, or since its death
+  std::map<std::string, std::chrono::steady_clock::time_point> deaths_;  ///< when one of the absent died
+  std::vector<Incident> incidents_;
   std::optional<Participant> participant_;
   std::unique_ptr<Topics> topics_;
   double ready_seconds_ = 0.0;

@@ -3,15 +3,23 @@
 #include "agents/protocol/messages.hpp"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace evbal {
+
+/// What befell a process of the run, for the record: it changes nothing of what is said.
+struct Incident {
+  std::string kind;  ///< "process ended", "process back"
+  std::string what;
+};
 
 /// What the others said in one tick.
 struct Exchange {
   std::vector<Report> reports;         ///< by region; empty where no plan is due
   std::optional<Plan> plan;            ///< where one is due
   std::vector<Departures> departures;  ///< by region
+  std::vector<Incident> incidents;     ///< since the last tick; no part of the digest
 };
 
 /// One tick as the conductor saw it.

@@ -21,6 +21,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
+constexpr int most_deaths = 5;  // of one process without progress of the run
+
 std::string ending(int status) {
   if (WIFSIGNALED(status)) {
     const int signal = WTERMSIG(status);
@@ -85,31 +87,52 @@ Supervisor::~Supervisor() {
 
 void Supervisor::start(const std::string& name, const std::filesystem::path& program,
                        const std::vector<std::string>& arguments) {
-  std::vector<std::string> words = {program.string()};
-  words.insert(words.end(), arguments.begin(), arguments.end());
+  Process process{.name = name, .words = {program.string()}};
+  process.words.insert(process.words.end(), arguments.begin(), arguments.end());
+  spawn(process);
+  processes_.push_back(std::move(process));
+}
+
+void Supervisor::spawn(Process& process) {
   std::vector<char*> pointers;
-  pointers.reserve(words.size() + 1);
-  for (auto& word : words) {
+  pointers.reserve(process.words.size() + 1);
+  for (auto& word : process.words) {
     pointers.push_back(word.data());
   }
   pointers.push_back(nullptr);
-  const SpawnSetup setup(pipe_read_, log_folder_ / (name + ".log"));
-  pid_t id = 0;
-  const int error = posix_spawn(&id, program.c_str(), setup.files(), setup.attributes(), pointers.data(), environ);
+  const SpawnSetup setup(pipe_read_, log_folder_ / (process.name + ".log"));
+  const int error =
+      posix_spawn(&process.id, pointers.front(), setup.files(), setup.attributes(), pointers.data(), environ);
   if (error != 0) {
-    throw run_failed("cannot start " + program.string() + ": " + std::strerror(error));
+    process.id = 0;
+    throw run_failed("cannot start " + process.words.front() + ": " + std::strerror(error));
   }
-  processes_.push_back({name, id});
 }
 
-void Supervisor::check() {
+std::vector<Death> Supervisor::revive() {
+  std::vector<Death> deaths;
   for (auto& process : processes_) {
     int status = 0;
-    if (process.id != 0 && waitpid(process.id, &status, WNOHANG) == process.id) {
-      const pid_t id = std::exchange(process.id, 0);
-      throw run_failed(process.name + " (process " + std::to_string(id) + ") " + ending(status) +
-                       last_words(process.name));
+    if (process.id == 0 || waitpid(process.id, &status, WNOHANG) != process.id) {
+      continue;
     }
+    const std::string how = "process " + std::to_string(std::exchange(process.id, 0)) + " " + ending(status);
+    if (!WIFSIGNALED(status)) {
+      throw run_failed(process.name + ": " + how + last_words(process.name));
+    }
+    if (++process.deaths > most_deaths) {
+      throw run_failed(process.name + ": " + how + ", the last of " + std::to_string(process.deaths) +
+                       " deaths in a row" + last_words(process.name));
+    }
+    spawn(process);
+    deaths.push_back({process.name, how});
+  }
+  return deaths;
+}
+
+void Supervisor::progress() {
+  for (auto& process : processes_) {
+    process.deaths = 0;
   }
 }
 

@@ -9,6 +9,12 @@
 
 namespace evbal {
 
+/// How a process of a run ended.
+struct Death {
+  std::string process;  ///< its name
+  std::string how;      ///< "process 4711 was ended by signal 9 (Killed)"
+};
+
 /// The processes of a run. Each one's standard input is a pipe that this object holds open and whose end is theirs to
 /// watch; what they print goes to `NAME.log`. Ends and reaps all of them, and nobody else, when destroyed.
 class Supervisor {
@@ -21,8 +27,12 @@ class Supervisor {
   /// Throws Error{run_failed} if the program cannot be started.
   void start(const std::string& name, const std::filesystem::path& program, const std::vector<std::string>& arguments);
 
-  /// Throws Error{run_failed} if a process has ended, with its name, how it ended and its last words.
-  void check();
+  /// Starts again the processes that a signal has ended, and says which. Throws Error{run_failed}, with its name, how
+  /// it ended and its last words, if one ended by itself, or has ended too often since the last progress().
+  std::vector<Death> revive();
+
+  /// Forgets how often each process has ended: the run has come further.
+  void progress();
 
   /// Of the process started under that name, which exists.
   pid_t process_id(const std::string& name) const;
@@ -30,8 +40,12 @@ class Supervisor {
  private:
   struct Process {
     std::string name;
-    pid_t id = 0;  ///< 0 once reaped
+    std::vector<std::string> words;  ///< program and arguments
+    pid_t id = 0;                    ///< 0 once reaped
+    int deaths = 0;                  ///< since the last progress
   };
+
+  void spawn(Process& process);
 
   void end(std::chrono::milliseconds grace);
   std::string last_words(const std::string& name) const;

@@ -33,11 +33,13 @@ struct RequestedFault {
 ///     departures  tick, region, refused, demand, ...         what became of the region in the tick
 ///     vehicles    tick, region, seq, minute, to_region, errand, vehicle_id, km, ...      who set off
 ///     fates       tick, region, seq, appeared, waited, served, ...      passengers
-///     events      tick, seq, kind, what                      a fault begins or ends, a plan falls back
+///     events      tick, seq, kind, what                      a fault begins or ends, a plan falls back, a process
+///     ended
+///                                                            unasked or is back
 ///
 /// `seq` counts the like entries of one message. Columns `origin_process_id` and `origin_seconds` of
-/// injector, reports, plans and departures name the writer of a message and its CPU seconds; they and nothing else
-/// differ between two runs of a scenario.
+/// injector, reports, plans and departures name the writer of a message and its CPU seconds. They, and events of the
+/// kinds "process ended" and "process back", may differ between two runs of a scenario; nothing else does.
 class DayFile {
  public:
   /// Creates the file, which must not exist.

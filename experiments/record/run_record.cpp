@@ -123,6 +123,9 @@ void RunRecord::note_events(const TickRecord& record) {
     const Provenance& provenance = record.exchange.plan->provenance;
     file_.event(record.tick.tick, "fallback", std::string(word(provenance.fallback)) + ": " + provenance.reason);
   }
+  for (const auto& incident : record.exchange.incidents) {  // last: a replay has the others alone, numbered alike
+    file_.event(record.tick.tick, incident.kind, incident.what);
+  }
 }
 
 void RunRecord::add(const TickRecord& record) {

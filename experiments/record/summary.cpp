@@ -60,6 +60,7 @@ Json processes_json(std::span<const TickRecord> ticks) {
   std::set<std::int64_t> agents;
   std::set<std::int64_t> coordinator;
   std::set<std::int64_t> faults;
+  std::int64_t restarts = 0;
   for (const auto& record : ticks) {
     faults.insert(record.faults.origin.process_id);
     if (record.exchange.plan) {
@@ -68,12 +69,17 @@ Json processes_json(std::span<const TickRecord> ticks) {
     for (const auto& said : record.exchange.departures) {
       agents.insert(said.origin.process_id);
     }
+    restarts += std::count_if(record.exchange.incidents.begin(), record.exchange.incidents.end(),
+                              [](const Incident& incident) { return incident.kind == "process ended"; });
   }
   for (auto* writers : {&agents, &coordinator, &faults}) {
     writers->erase(0);
     writers->erase(getpid());
   }
-  return {{"agents", agents.size()}, {"coordinator", coordinator.size()}, {"faults", faults.size()}};
+  return {{"agents", agents.size()},
+          {"coordinator", coordinator.size()},
+          {"faults", faults.size()},
+          {"restarts", restarts}};
 }
 
 Json step_seconds_json(const DayClock& clock, std::span<const TickRecord> ticks, std::span<const double> tick_seconds) {

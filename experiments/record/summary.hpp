@@ -16,7 +16,7 @@ namespace evbal {
 ///     solver       engine, solves, fallbacks, iterations, max_violation, max_gap, seconds in all,
 ///                  seconds_median, seconds_max of a solve (CPU)
 ///     processes    how many processes wrote for the agents, the coordinator and the injector, the launcher left out:
-///                  0 in one process
+///                  0 in one process; and how often one was started again
 ///     step_seconds wall time of a step: median, max, and median of what is left without the solver
 ///     wall_seconds
 ///

@@ -8,6 +8,8 @@
 /// sizes of a real day, so that a test can tell whether it came through whole.
 namespace evbal::fake {
 
+constexpr int deadly_tick = 1001;  ///< of which the agent of region 1 dies, however often it is told
+
 inline Faults faults(int tick) {
   return {.tick = tick,
           .effects = {{.fault = tick % 3, .type = EffectType::charger_outage, .region = 1, .magnitude = 0.5 * tick}},

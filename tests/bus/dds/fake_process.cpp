@@ -4,6 +4,8 @@
 #include "agents/bus/roles.hpp"
 #include "tests/bus/dds/fake_answers.hpp"
 
+#include <csignal>
+
 namespace {
 
 using namespace evbal;
@@ -14,22 +16,29 @@ using namespace evbal;
   for (int region = options.first_region; region <= options.last_region; ++region) {
     regions.push_back({.begin = [&now](const Tick& tick) { now = tick; },
                        .report = [&now, region] { return fake::report(now.tick, region); },
-                       .live = [&now, region](const Plan* plan) { return fake::departures(now, plan, region); }});
+                       .live =
+                           [&now, region](const Plan* plan) {
+                             if (now.tick == fake::deadly_tick && region == 1) {
+                               raise(SIGKILL);
+                             }
+                             return fake::departures(now, plan, region);
+                           }});
   }
-  serve_agent(participant, options.name, regions);
+  serve_agent(participant, options, regions);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run_process(argc, argv, "Stand-in for a process of a run",
-                     [](const ProcessOptions& options, Participant& participant) {
-                       if (options.name == "coordinator") {
-                         serve_coordinator(participant, options.name, fake::plan);
-                       }
-                       if (options.name == "faults") {
-                         serve_injector(participant, options.name, fake::faults);
-                       }
-                       be_agent(options, participant);
-                     });
+  return run_process(
+      argc, argv, "Stand-in for a process of a run", [](const ProcessOptions& options, Participant& participant) {
+        if (options.name == "coordinator") {
+          serve_coordinator(participant, options,
+                            {.plan = fake::plan, .memory = [] { return ""; }, .recall = [](auto&&...) {}});
+        }
+        if (options.name == "faults") {
+          serve_injector(participant, options, fake::faults);
+        }
+        be_agent(options, participant);
+      });
 }

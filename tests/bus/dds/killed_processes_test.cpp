@@ -1,0 +1,159 @@
+// Processes of a run killed from outside, at any moment: the day must be the one in which nobody was.
+
+#include "common/random.hpp"
+#include "tests/bus/dds/toy_day.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <mutex>
+#include <thread>
+
+namespace evbal {
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point time) {
+  return std::chrono::duration<double>(Clock::now() - time).count();
+}
+
+/// The process of the run in `folder` that has this name; 0 if there is none at the moment.
+pid_t find_process(const std::string& folder, const std::string& name) {
+  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+    std::ifstream in(entry.path() / "cmdline");
+    std::string line;
+    std::getline(in, line);  // words end with a zero byte
+    if (line.find(folder) != std::string::npos &&
+        line.find(std::string("--name\0", 7) + name + '\0') != std::string::npos) {
+      return std::atoi(entry.path().filename().c_str());
+    }
+  }
+  return 0;
+}
+
+/// Kills the processes of a run one after another at random moments, each once the one before is back.
+class Killer {
+ public:
+  Killer(std::string folder, std::vector<std::string> victims, int at_most, std::uint64_t seed)
+      : folder_(std::move(folder)), victims_(std::move(victims)), left_(at_most), random_(seed, Purpose::fault, {}) {
+    thread_ = std::thread([this] { kill_on(); });
+  }
+  ~Killer() {
+    stop_ = true;
+    thread_.join();
+  }
+  Killer(const Killer&) = delete;
+  Killer& operator=(const Killer&) = delete;
+
+  /// To be told who speaks, from which process.
+  void hear(const std::string& name, std::int64_t process) {
+    const std::lock_guard lock(mutex_);
+    if (name == victim_ && process != process_) {
+      seconds_.push_back(seconds_since(time_));
+      victim_.clear();
+    }
+  }
+
+  const std::vector<double>& seconds() const { return seconds_; }
+  int left() const { return left_; }
+
+ private:
+  void kill_on() {
+    while (!stop_ && left_ > 0) {
+      std::this_thread::sleep_for(std::chrono::microseconds(random_.below(100'000)));
+      const std::lock_guard lock(mutex_);
+      const std::string& name = victims_[random_.below(victims_.size())];
+      const pid_t process = victim_.empty() ? find_process(folder_, name) : 0;
+      if (process > 0 && kill(process, SIGKILL) == 0) {
+        victim_ = name;
+        process_ = process;
+        time_ = Clock::now();
+        --left_;
+      }
+    }
+  }
+
+  std::string folder_;
+  std::vector<std::string> victims_;
+  std::atomic<int> left_;
+  RandomStream random_;
+  std::mutex mutex_;
+  std::string victim_;  ///< who has not spoken since it was killed
+  std::int64_t process_ = 0;
+  Clock::time_point time_;
+  std::vector<double> seconds_;  ///< from the signal to the first word of the new process
+  std::atomic<bool> stop_ = false;
+  std::thread thread_;
+};
+
+constexpr int kills_a_day = 10;
+
+/// A few in a plain run of the tests, `many` if the environment has EVBAL_LONG.
+int kills(int few, int many) {
+  return std::getenv("EVBAL_LONG") == nullptr ? few : many;
+}
+
+class KilledProcessesTest : public test::ToyDay {
+ protected:
+  KilledProcessesTest() {
+    scenario_.world.clock.end = 11 * 60;
+    scenario_.schedule.faults.resize(1);  // the other comes later
+    write_scenario();
+  }
+
+  /// Days in which so many of the victims are killed; each must be the undisturbed one.
+  void expect_undisturbed(const std::vector<std::string>& victims, int kills) {
+    const std::string undisturbed = digest_in_process();
+    std::vector<double> seconds;
+    int left = kills;
+    for (int day = 0; left > 0; ++day) {
+      ASSERT_LT(day, kills) << "nobody is killed";
+      Killer killer(folder_.path(), victims, std::min(left, kills_a_day), static_cast<std::uint64_t>(day));
+      int ended = 0;
+      const std::string disturbed = digest_over_dds(1, [&](const TickRecord& record) {
+        killer.hear("faults", record.faults.origin.process_id);
+        if (record.exchange.plan) {
+          killer.hear("coordinator", record.exchange.plan->origin.process_id);
+        }
+        for (const auto& said : record.exchange.departures) {
+          killer.hear("agent-" + std::to_string(said.region), said.origin.process_id);
+        }
+        for (const auto& incident : record.exchange.incidents) {
+          ended += incident.kind == "process ended" ? 1 : 0;
+        }
+      });
+      EXPECT_EQ(disturbed, undisturbed) << "day " << day;
+      EXPECT_GE(ended, static_cast<int>(killer.seconds().size()));
+      left -= std::min(left, kills_a_day) - killer.left();
+      seconds.insert(seconds.end(), killer.seconds().begin(), killer.seconds().end());
+    }
+    std::sort(seconds.begin(), seconds.end());
+    std::cout << kills << " killed; seconds until they spoke again: median " << seconds[seconds.size() / 2]
+              << ", longest " << seconds.back() << "\n";
+  }
+};
+
+TEST_F(KilledProcessesTest, AgentsCostNothing) {
+  expect_undisturbed({"agent-0", "agent-1", "agent-2", "agent-3", "agent-4"}, kills(6, 100));
+}
+
+TEST_F(KilledProcessesTest, TheCoordinatorCostsNothing) {
+  expect_undisturbed({"coordinator"}, kills(3, 20));
+}
+
+TEST_F(KilledProcessesTest, TheInjectorCostsNothing) {
+  expect_undisturbed({"faults"}, kills(2, 5));
+}
+
+TEST_F(KilledProcessesTest, AllAtOnceCostNothing) {
+  expect_undisturbed({"agent-0", "agent-1", "coordinator", "faults"}, kills(4, 30));
+}
+
+}  // namespace
+}  // namespace evbal
