@@ -122,6 +122,9 @@ bool YamlValue::is_scalar() const {
 }
 
 int YamlValue::line() const {
+  if (node_->Mark().is_null() && !settings_.empty()) {  // a map that is there for its settings only
+    return settings_.front().value.line();
+  }
   return node_->Mark().line + 1;
 }
 
@@ -254,6 +257,12 @@ std::string YamlValue::dump() const {
   return YAML::Dump(*node_);
 }
 
+YamlValue YamlValue::with(const std::string& path, const YamlValue& value) const {
+  YamlValue copy = *this;
+  copy.settings_.push_back({path, value});
+  return copy;
+}
+
 YamlMap::YamlMap(const YamlValue& value) : value_(value) {
   if (!value.is_map()) {
     throw value.error("expected a map of `key: value`");
@@ -268,6 +277,28 @@ YamlMap::YamlMap(const YamlValue& value) : value_(value) {
     key_places_.emplace(name, key);
     order_.push_back(name);
   }
+  for (const auto& setting : value.settings_) {
+    set(setting);
+  }
+}
+
+void YamlMap::set(const YamlValue::Setting& setting) {
+  const std::size_t dot = setting.path.find('.');
+  const std::string key = setting.path.substr(0, dot);
+  const auto found = entries_.find(key);
+  YamlValue content = setting.value;
+  if (dot != std::string::npos) {
+    if (found != entries_.end() && !found->second.is_map()) {
+      throw setting.value.error("`" + key + "` holds no keys, so none can be set in it");
+    }
+    const YamlValue empty{std::make_shared<YAML::Node>(YAML::NodeType::Map), setting.value.file_};
+    content = (found == entries_.end() ? empty : found->second).with(setting.path.substr(dot + 1), setting.value);
+  }
+  if (found == entries_.end()) {
+    order_.push_back(key);
+    key_places_.emplace(key, setting.value);
+  }
+  entries_.insert_or_assign(key, content);
 }
 
 std::optional<YamlValue> YamlMap::find(const std::string& key) {

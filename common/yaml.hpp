@@ -54,8 +54,12 @@ class YamlValue {
 
   std::vector<YamlValue> items() const;  ///< of a list
 
-  /// The node as YAML text of its own.
+  /// The node as YAML text of its own, settings of with() left out.
   std::string dump() const;
+
+  /// The same map, in which `path`, keys joined by dots such as `balancing.tau`, is `value`, given there before or not.
+  /// What is wrong with `value` is then reported at its own place.
+  YamlValue with(const std::string& path, const YamlValue& value) const;
 
   Error error(const std::string& message) const;
   int line() const;
@@ -67,8 +71,16 @@ class YamlValue {
 
   const std::string& scalar(const char* expected) const;
 
+  struct Setting;
+
   std::shared_ptr<const YAML::Node> node_;
   std::shared_ptr<const std::string> file_;
+  std::vector<Setting> settings_;  ///< that stand in place of the node's own, or beside them
+};
+
+struct YamlValue::Setting {
+  std::string path;  ///< below the value
+  YamlValue value;
 };
 
 /// A YAML map whose keys are asked for by name. finish() refuses the keys that nobody asked for.
@@ -91,6 +103,8 @@ class YamlMap {
   const YamlValue& value() const { return value_; }
 
  private:
+  void set(const YamlValue::Setting& setting);
+
   YamlValue value_;
   std::vector<std::string> order_;
   std::map<std::string, YamlValue> entries_;

@@ -112,11 +112,15 @@ std::string indented(const std::string& text) {
 }  // namespace
 
 Scenario read_scenario(const std::filesystem::path& file, const Overrides& overrides) {
-  YamlMap map(YamlValue::load(file));
+  return read_scenario(YamlValue::load(file), overrides);
+}
+
+Scenario read_scenario(const YamlValue& yaml, const Overrides& overrides) {
+  YamlMap map(yaml);
   map.require("schema").integer(1, 1);
   Scenario scenario;
   const auto name = map.find("name");
-  scenario.name = name ? name->text() : file.stem().string();
+  scenario.name = name ? name->text() : std::filesystem::path(yaml.file()).stem().string();
   scenario.world = read_world(map);
   scenario.planning = read_planning(map);
   scenario.controllers = read_controllers(map, scenario.planning.controller);

@@ -41,6 +41,9 @@ struct Overrides {
 /// override the option stands in place of the file.
 Scenario read_scenario(const std::filesystem::path& file, const Overrides& overrides = {});
 
+/// The same from a file that is loaded, perhaps with settings in place of its own (YamlValue::with).
+Scenario read_scenario(const YamlValue& yaml, const Overrides& overrides = {});
+
 /// The run of one controller with everything explicit, as YAML: read_scenario gives it back, and the processes read
 /// their own keys from it by read_world, read_planning and read_resolved.
 std::string resolved_yaml(const Scenario& scenario, const std::string& controller);

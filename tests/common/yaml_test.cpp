@@ -59,6 +59,37 @@ TEST(Yaml, RefusesUnknownAndMissingKeys) {
   expect_refused([] { map_of("a: 1\n").require("b"); }, "a.yaml:1", "`b` is missing");
 }
 
+TEST(Yaml, SetsKeysByPath) {
+  const auto settings = YamlValue::parse("tau: 3\nnew: 12min\n", "b.yaml");
+  YamlMap given(settings);
+  const auto base = YamlValue::parse("x: 1\nbalancing: {tau: 2, m1: 10}\n", "a.yaml");
+  YamlMap map(base.with("balancing.tau", given.require("tau")).with("clock.tick", given.require("new")));
+  YamlMap balancing(map.require("balancing"));
+  EXPECT_EQ(balancing.require("tau").integer(), 3);
+  EXPECT_EQ(balancing.require("m1").integer(), 10);
+  YamlMap clock(map.require("clock"));
+  EXPECT_EQ(clock.require("tick").whole_minutes(), 12);
+  EXPECT_EQ(map.keys(), (std::vector<std::string>{"x", "balancing", "clock"}));
+  YamlMap as_before(base);
+  EXPECT_FALSE(as_before.find("clock"));
+}
+
+TEST(Yaml, PutsTheBlameForASettingWhereItStands) {
+  const auto settings = YamlValue::parse("a: 1\ntau: x\n", "b.yaml");
+  YamlMap given(settings);
+  const auto base = YamlValue::parse("x: 1\n", "a.yaml");
+  const auto finish = [](YamlMap map) {
+    map.find("x");
+    map.finish();
+  };
+  const auto with = [&](const std::string& path) { return base.with(path, given.require("tau")); };
+  expect_refused([&] { YamlMap(YamlMap(with("balancing.tau")).require("balancing")).require("tau").integer(); },
+                 "b.yaml:2", "`x` is no whole number");
+  expect_refused([&] { finish(YamlMap(with("xx"))); }, "b.yaml:2", "unknown key `xx`");
+  expect_refused([&] { YamlMap(with("clock.tick")).require("clock").text(); }, "b.yaml:2", "expected a text");
+  expect_refused([&] { YamlMap(with("x.y")); }, "b.yaml:2", "`x` holds no keys");
+}
+
 TEST(Yaml, RefusesBrokenFiles) {
   expect_refused([] { YamlValue::parse("a: [1, 2\n", "a.yaml"); }, "a.yaml:2", "YAML");
   expect_refused([] { YamlValue::parse("", "a.yaml"); }, "a.yaml:1", "empty");
