@@ -1,6 +1,6 @@
 #include "experiments/record/day_file.hpp"
 
-#include "experiments/record/row.hpp"
+#include "experiments/record/table.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
@@ -8,33 +8,6 @@
 
 namespace evbal {
 namespace {
-
-class Table {
- public:
-  /// `like` gives the columns' names and types.
-  Table(SQLite::Database& database, const std::string& name, const Row& like) {
-    std::string columns;
-    std::string places;
-    for (const auto& cell : like) {
-      static constexpr std::array types = {"INTEGER", "REAL", "TEXT"};
-      columns += (columns.empty() ? "" : ", ") + cell.name + " " + types.at(cell.value.index());
-      places += places.empty() ? "?" : ", ?";
-    }
-    database.exec("CREATE TABLE " + name + " (" + columns + ")");
-    insert_.emplace(database, "INSERT INTO " + name + " VALUES (" + places + ")");
-  }
-
-  void add(const Row& row) {
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      std::visit([&](const auto& value) { insert_->bind(static_cast<int>(i) + 1, value); }, row[i].value);
-    }
-    insert_->exec();
-    insert_->reset();
-  }
-
- private:
-  std::optional<SQLite::Statement> insert_;
-};
 
 Row tick_key(int tick, std::size_t seq) {
   return {{"tick", std::int64_t{tick}}, {"seq", static_cast<std::int64_t>(seq)}};
