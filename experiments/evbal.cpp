@@ -4,6 +4,7 @@
 #include "experiments/replay_command.hpp"
 #include "experiments/report_command.hpp"
 #include "experiments/run_command.hpp"
+#include "experiments/sweep_command.hpp"
 #include "tools/fit/fit_command.hpp"
 #include "tools/ingest/ingest_command.hpp"
 #include "tools/verify/verify_command.hpp"
@@ -17,6 +18,7 @@ int main(int argc, char** argv) {
   CLI::App app("Multi-agent MPC testbed with fault injection for electric taxi fleets", "evbal");
   app.require_subcommand(1);
   evbal::add_run_command(app);
+  evbal::add_sweep_command(app);
   evbal::add_report_command(app);
   evbal::add_replay_command(app);
   evbal::add_ingest_command(app);

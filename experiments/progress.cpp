@@ -6,15 +6,12 @@
 #include <cstdio>
 
 namespace evbal {
-namespace {
 
-std::string time_left(double seconds) {
+std::string shown_seconds(double seconds) {
   const long whole = std::lround(seconds);
   return whole < 60 ? std::to_string(whole) + " s"
                     : std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
 }
-
-}  // namespace
 
 Progress::Progress(std::string title, DayClock clock, std::vector<std::string> fault_names, bool quiet)
     : title_(std::move(title)),
@@ -40,7 +37,7 @@ std::string Progress::line(const TickRecord& record) const {
   for (const int fault : active_) {
     text += "  [" + fault_names_.at(static_cast<std::size_t>(fault)) + "]";
   }
-  return text + "  " + time_left(spent / ticks_done * (clock_.ticks() - ticks_done)) + " left";
+  return text + "  " + shown_seconds(spent / ticks_done * (clock_.ticks() - ticks_done)) + " left";
 }
 
 void Progress::show(const TickRecord& record) {

@@ -10,6 +10,9 @@
 
 namespace evbal {
 
+/// "43 s" or "12 min 5 s".
+std::string shown_seconds(double seconds);
+
 /// Shows on stderr how far a day has come: one line that renews itself on a terminal, else a line every simulated hour.
 class Progress {
  public:

@@ -8,6 +8,7 @@
 #include "experiments/conductor/run_day.hpp"
 #include "experiments/progress.hpp"
 #include "experiments/record/row.hpp"
+#include "experiments/record/summary.hpp"
 
 #include <memory>
 
@@ -39,9 +40,15 @@ std::unique_ptr<Players> players_of(const Scenario& scenario, const std::filesys
       [&scenario](int tick) { return faults_at(scenario.schedule, scenario.world.clock, tick); });
 }
 
+MetricsFrame frame_of(const Scenario& scenario) {
+  const Eigen::VectorXi points = scenario.world.city.points();
+  return {.clock = scenario.world.clock,
+          .points = {points.begin(), points.end()},
+          .beta = scenario.planning.balancing.beta};
+}
+
 RunHeader header_of(const Scenario& scenario, const std::string& resolved) {
   const World& world = scenario.world;
-  const Eigen::VectorXi points = world.city.points();
   RunHeader header;
   header.scenario = scenario.name;
   header.resolved = resolved;
@@ -50,8 +57,7 @@ RunHeader header_of(const Scenario& scenario, const std::string& resolved) {
   header.controller = scenario.planning.controller;
   header.engine = scenario.planning.engine.name;
   header.transport = scenario.transport;
-  header.frame = {
-      .clock = world.clock, .points = {points.begin(), points.end()}, .beta = scenario.planning.balancing.beta};
+  header.frame = frame_of(scenario);
   for (const auto& region : world.city.regions) {
     header.region_names.push_back(region.name);
   }
@@ -93,6 +99,14 @@ RunResult record_day(const Scenario& scenario, const std::string& resolved, cons
     check_interrupt();
   });
   return record.finish();
+}
+
+SweptResult play_day(const Scenario& scenario) {
+  const auto players = players_of(scenario, {}, "inproc");
+  std::vector<TickRecord> ticks;
+  run_day(scenario.world, *players, [&](const TickRecord& tick) { ticks.push_back(tick); });
+  return {
+      .metrics = measure(frame_of(scenario), ticks), .digest = digest_of(ticks), .fallbacks = count_fallbacks(ticks)};
 }
 
 }  // namespace evbal

@@ -2,6 +2,7 @@
 
 #include "experiments/record/run_record.hpp"
 #include "experiments/scenario/scenario.hpp"
+#include "experiments/sweep/sweep_file.hpp"
 
 #include <filesystem>
 #include <string>
@@ -25,5 +26,8 @@ void check_planning(const Scenario& scenario);
 /// breaks off, which leaves a record marked as incomplete.
 RunResult record_day(const Scenario& scenario, const std::string& resolved, const std::filesystem::path& folder,
                      const Stage& stage);
+
+/// Plays the day in this process and keeps what it came to only. Throws Error{run_failed}.
+SweptResult play_day(const Scenario& scenario);
 
 }  // namespace evbal

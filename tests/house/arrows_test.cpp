@@ -55,6 +55,10 @@ const std::vector<Room>& rooms() {
       {"experiments/record",
        {"common", "agents/protocol", "agents/city", "agents/region", "coordinator/planning", "faults/schedule",
         "experiments/scenario", "experiments/conductor", "experiments/metrics"}},
+      {"experiments/sweep",
+       {"common", "agents/protocol", "agents/city", "agents/region", "coordinator/balancing", "coordinator/planning",
+        "faults/schedule", "experiments/scenario", "experiments/conductor", "experiments/metrics",
+        "experiments/record"}},
       {"tools/records", {"common", "agents/city"}},
       {"tools/ingest", {"common", "agents/city", "tools/records"}},
       {"tools/fit",
@@ -71,8 +75,8 @@ const std::vector<Room>& rooms() {
       {"tools/bench", {"common", "coordinator/ambiguity", "coordinator/balancing", "tools/samples", "tools/verify"}},
       {"experiments",
        {"common", "agents/protocol", "agents/city", "agents/region", "coordinator/planning", "faults/schedule",
-        "experiments/scenario", "experiments/conductor", "experiments/metrics", "experiments/record", "tools/ingest",
-        "tools/fit", "tools/report", "tools/verify"}},
+        "experiments/scenario", "experiments/conductor", "experiments/metrics", "experiments/record",
+        "experiments/sweep", "tools/ingest", "tools/fit", "tools/report", "tools/verify"}},
   };
   return table;
 }
@@ -93,7 +97,7 @@ const std::vector<Reserved>& reserved() {
       {"yaml-cpp/", {"common"}},
       {"Random123/", {"common"}},
       {"nlopt", {"coordinator/forecast"}},
-      {"SQLiteCpp/", {"experiments/record"}},
+      {"SQLiteCpp/", {"experiments/record", "experiments/sweep"}},
   };
   return table;
 }

@@ -2,7 +2,9 @@
 
 #include "tests/folder.hpp"
 
+#include <spawn.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -16,6 +18,13 @@ struct Ended {
   std::string out;
   std::string err;
 };
+
+/// The status with which a process of ours ends.
+inline int wait_for(pid_t id) {
+  int status = 0;
+  waitpid(id, &status, 0);
+  return WEXITSTATUS(status);
+}
 
 /// The command line in a folder of its own, with a morning of the toy city to run.
 class CommandLine {
@@ -48,6 +57,18 @@ class CommandLine {
     const int code =
         std::system(("cd " + folder + " && " + EVBAL_PROGRAM + " " + arguments + " >out.txt 2>err.txt").c_str());
     return {WEXITSTATUS(code), text_of(path() / "out.txt"), text_of(path() / "err.txt")};
+  }
+
+  /// Starts the program on its own.
+  pid_t start(const std::string& arguments) const {
+    std::string command =
+        "cd " + path().string() + " && exec " + EVBAL_PROGRAM + " " + arguments + " >out.txt 2>err.txt";
+    std::string shell = "/bin/sh";
+    std::string option = "-c";
+    char* words[] = {shell.data(), option.data(), command.data(), nullptr};
+    pid_t id = 0;
+    posix_spawn(&id, shell.c_str(), nullptr, nullptr, words, environ);
+    return id;
   }
 
   /// The value of a key of a run's summary.json, as it is written.

@@ -3,8 +3,6 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
 #include <signal.h>
-#include <spawn.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <set>
@@ -23,23 +21,6 @@ std::set<std::int64_t> writers(const fs::path& run, const std::string& table) {
     ids.insert(query.getColumn(0).getInt64());
   }
   return ids;
-}
-
-/// Starts the program on its own, in `folder`.
-pid_t start(const fs::path& folder, const std::string& arguments) {
-  std::string command = "cd " + folder.string() + " && exec " + EVBAL_PROGRAM + " " + arguments + " >out.txt 2>err.txt";
-  std::string shell = "/bin/sh";
-  std::string option = "-c";
-  char* words[] = {shell.data(), option.data(), command.data(), nullptr};
-  pid_t id = 0;
-  posix_spawn(&id, shell.c_str(), nullptr, nullptr, words, environ);
-  return id;
-}
-
-int wait_for(pid_t id) {
-  int status = 0;
-  waitpid(id, &status, 0);
-  return WEXITSTATUS(status);
 }
 
 TEST(Run, LeavesACompleteDirectoryAndATable) {
@@ -95,7 +76,7 @@ TEST(Run, GivesOneDigestOverEveryTransport) {
 
 TEST(Run, IsPlayedByProcessesOfTheirOwnOverDds) {
   const CommandLine line;
-  const pid_t launcher = start(line.path(), "run morning.yaml --transport dds --out a");
+  const pid_t launcher = line.start("run morning.yaml --transport dds --out a");
   ASSERT_EQ(wait_for(launcher), 0) << text_of(line.path() / "err.txt");
   const auto agents = writers(line.path() / "a", "reports");
   const auto coordinator = writers(line.path() / "a", "plans");
@@ -113,7 +94,7 @@ TEST(Run, IsPlayedByProcessesOfTheirOwnOverDds) {
 
 TEST(Run, EndsItsProcessesOnCtrlC) {
   const CommandLine line;
-  const pid_t launcher = start(line.path(), "run morning.yaml --transport dds --controller robust --out a");
+  const pid_t launcher = line.start("run morning.yaml --transport dds --controller robust --out a");
   const fs::path mark = line.path() / "a" / "INCOMPLETE";
   for (int i = 0; i < 600 && text_of(mark).find("of 36 ticks") == std::string::npos; ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));

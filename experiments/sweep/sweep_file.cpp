@@ -1,0 +1,148 @@
+#include "experiments/sweep/sweep_file.hpp"
+
+#include "common/error.hpp"
+#include "experiments/metrics/columns.hpp"
+#include "experiments/record/table.hpp"
+#include "experiments/record/text.hpp"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <algorithm>
+
+namespace evbal {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int longest_wait_ms = 60'000;  // for another process that writes
+
+SQLite::Database opened(const fs::path& file, int flags) {
+  return SQLite::Database(file.string(), flags, longest_wait_ms);
+}
+
+/// Appends the columns of a metrics' row.
+template <class Line>
+void add_columns(Row& row, const Line& line) {
+  columns(
+      [&](const char* name, auto value) {
+        if constexpr (std::is_integral_v<decltype(value)>) {
+          row.push_back({name, std::int64_t{value}});
+        } else {
+          row.push_back({name, value});
+        }
+      },
+      line);
+}
+
+Row result_row(const std::string& key, const SweptResult& result) {
+  Row row = {{"key", key}};
+  add_columns(row, result.metrics.totals);
+  row.push_back({"fallbacks", std::int64_t{result.fallbacks}});
+  row.push_back({"digest", result.digest});
+  return row;
+}
+
+Row step_row(const std::string& key, const DayClock& clock, const CityStep& step) {
+  Row row = {{"key", key}, {"start", time_of_day(clock, step.step * clock.step)}};
+  add_columns(row, step);
+  return row;
+}
+
+Row day_row(std::size_t run, const Sweep& sweep, const SweptDay& day, const std::string& key) {
+  Row row = {{"run", static_cast<std::int64_t>(run)},
+             {"variant", day.variant},
+             {"controller", day.controller},
+             {"faults", day.faults},
+             {"day", day.day},
+             {"seed", std::to_string(day.seed)}};
+  for (const auto& path : sweep.settings) {
+    const auto given = day.settings.find(path);
+    row.push_back({path, given == day.settings.end() ? "" : given->second});
+  }
+  row.push_back({"key", key});
+  return row;
+}
+
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) {
+    return text;
+  }
+  std::string result = "\"";
+  for (const char c : text) {
+    result += c == '"' ? "\"\"" : std::string{c};
+  }
+  return result + "\"";
+}
+
+std::string cell(const SQLite::Column& column) {
+  return column.isFloat() ? shortest(column.getDouble()) : quoted(column.getString());
+}
+
+/// All that `query` finds, with a header; `key` is left out.
+std::string csv(const fs::path& file, const std::string& query) {
+  const SQLite::Database database = opened(file, SQLite::OPEN_READONLY);
+  SQLite::Statement rows(database, query);
+  std::vector<int> shown;
+  std::string text;
+  for (int i = 0; i < rows.getColumnCount(); ++i) {
+    if (std::string(rows.getColumnName(i)) != "key") {
+      text += (shown.empty() ? "" : ",") + quoted(rows.getColumnName(i));
+      shown.push_back(i);
+    }
+  }
+  while (rows.executeStep()) {
+    for (const int i : shown) {
+      text += (i == shown.front() ? "\n" : ",") + cell(rows.getColumn(i));
+    }
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+std::set<std::string> begin_sweep(const fs::path& file, const Sweep& sweep, const std::vector<std::string>& keys) {
+  try {
+    SQLite::Database database = opened(file, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    SQLite::Transaction transaction(database);
+    const Table results(database, "results", result_row("", {}));
+    const Table steps(database, "steps", step_row("", {}, {}));
+    database.exec("CREATE UNIQUE INDEX IF NOT EXISTS by_key ON results (key)");
+    database.exec("CREATE INDEX IF NOT EXISTS steps_by_key ON steps (key)");
+    database.exec("DROP TABLE IF EXISTS days");
+    Table days(database, "days", day_row(0, sweep, sweep.days.front(), ""));
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      days.add(day_row(i + 1, sweep, sweep.days[i], keys[i]));
+    }
+    std::set<std::string> finished;
+    SQLite::Statement query(database, "SELECT key FROM results");
+    while (query.executeStep()) {
+      finished.insert(query.getColumn(0).getString());
+    }
+    transaction.commit();
+    return finished;
+  } catch (const SQLite::Exception& error) {
+    throw bad_input(file.string() + ": is no sweep of this version of evbal (" + error.what() +
+                    "); give another directory with --out");
+  }
+}
+
+void add_result(const fs::path& file, const std::string& key, const DayClock& clock, const SweptResult& result) {
+  SQLite::Database database = opened(file, SQLite::OPEN_READWRITE);
+  SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+  Table(database, "results", result_row("", {})).add(result_row(key, result));
+  Table steps(database, "steps", step_row("", {}, {}));
+  for (const auto& step : result.metrics.steps) {
+    steps.add(step_row(key, clock, step));
+  }
+  transaction.commit();
+}
+
+std::string swept_days_csv(const fs::path& file) {
+  return csv(file, "SELECT * FROM days JOIN results USING (key) ORDER BY run");
+}
+
+std::string swept_steps_csv(const fs::path& file) {
+  return csv(file, "SELECT run, steps.* FROM days JOIN steps USING (key) ORDER BY run, step");
+}
+
+}  // namespace evbal

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "common/clock.hpp"
+#include "experiments/metrics/metrics.hpp"
+#include "experiments/sweep/sweep.hpp"
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+/// sweep.sqlite, in which a sweep's results gather:
+///
+///     days      run, variant, controller, faults, day, seed, the settings by path, key      what is to be run
+///     results   key, the totals by the names of metrics/columns.hpp, fallbacks, digest      a row a finished day
+///     steps     key, start, the columns of steps.csv                                        its steps
+///
+/// `run` counts from 1. `key` is a fingerprint of the day's resolved scenario: a result serves every sweep that asks
+/// for the same day. Each function opens the file anew, so that processes may add to it in turn.
+namespace evbal {
+
+/// What a day came to.
+struct SweptResult {
+  DayMetrics metrics;
+  std::string digest;
+  int fallbacks = 0;  ///< plans that were not the controller's own
+};
+
+/// Makes the file if it is missing and writes down what is to be run, with a key for each of the sweep's days, in place
+/// of what was to be run before. Gives the keys that have their results already. Throws Error{bad_input} if the file is
+/// something else or of another version.
+std::set<std::string> begin_sweep(const std::filesystem::path& file, const Sweep& sweep,
+                                  const std::vector<std::string>& keys);
+
+/// Adds a day, whole or not at all, durably.
+void add_result(const std::filesystem::path& file, const std::string& key, const DayClock& clock,
+                const SweptResult& result);
+
+/// days.csv: a row a day of the sweep with its settings and totals, by `run`.
+std::string swept_days_csv(const std::filesystem::path& file);
+
+/// steps.csv: a row a step of every day, `run` first.
+std::string swept_steps_csv(const std::filesystem::path& file);
+
+}  // namespace evbal

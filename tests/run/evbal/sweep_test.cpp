@@ -1,0 +1,76 @@
+#include "tests/run/evbal/command_line.hpp"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+namespace evbal {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string small = EVBAL_SOURCE_DIR "/experiments/sweeps/sweep-small.yaml";
+
+long lines_of(const std::string& text) {
+  return std::count(text.begin(), text.end(), '\n');
+}
+
+/// Days of a sweep that have their results, 0 while there is no sweep.
+int finished(const fs::path& folder) {
+  try {
+    const SQLite::Database database((folder / "sweep.sqlite").string(), SQLite::OPEN_READONLY, 1000);
+    SQLite::Statement count(database, "SELECT count(*) FROM results");
+    return count.executeStep() ? count.getColumn(0).getInt() : 0;
+  } catch (const SQLite::Exception&) {
+    return 0;
+  }
+}
+
+TEST(Sweep, GoesOnAfterAKillAndGivesTheSameBytesForAnyNumberOfJobs) {
+  const CommandLine line;
+  const pid_t id = line.start("sweep " + small + " --jobs 2 --out killed");
+  for (int i = 0; i < 3000 && finished(line.path() / "killed") < 2; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  kill(id, SIGKILL);
+  wait_for(id);
+  const int before = finished(line.path() / "killed");
+  ASSERT_GE(before, 2);
+  ASSERT_LT(before, 12);
+  EXPECT_FALSE(fs::exists(line.path() / "killed" / "days.csv"));
+
+  const Ended resumed = line.evbal("sweep " + small + " --jobs 2 --out killed");
+  ASSERT_EQ(resumed.status, 0) << resumed.err;
+  EXPECT_EQ(resumed.out, "killed/days.csv\n");
+  EXPECT_EQ(lines_of(resumed.err), 12 - before) << resumed.err;
+  const Ended whole = line.evbal("sweep " + small + " --jobs 1 --out whole --quiet");
+  ASSERT_EQ(whole.status, 0) << whole.err;
+  EXPECT_EQ(whole.err, "");
+  const std::string days = text_of(line.path() / "whole" / "days.csv");
+  EXPECT_EQ(lines_of(days), 13) << days;
+  EXPECT_TRUE(text_of(line.path() / "killed" / "days.csv") == days);
+  EXPECT_TRUE(text_of(line.path() / "killed" / "steps.csv") == text_of(line.path() / "whole" / "steps.csv"));
+}
+
+TEST(Sweep, RefusesWhatIsWrongBeforeAnyWork) {
+  const CommandLine line;
+  std::ofstream(line.path() / "bad.yaml")
+      << "schema: 1\nscenario: morning.yaml\ndays: [2024-01-11]\nseeds: [1]\nvariants: [{controller: robst}]\n";
+  const Ended bad = line.evbal("sweep bad.yaml");
+  EXPECT_EQ(bad.status, 2);
+  EXPECT_NE(bad.err.find("bad.yaml:5: `robst` is not known"), std::string::npos) << bad.err;
+  EXPECT_FALSE(fs::exists(line.path() / "runs"));
+  EXPECT_EQ(line.evbal("sweep bad.yaml --jobs 0").status, 2);
+  fs::create_directory(line.path() / "mine");
+  std::ofstream(line.path() / "mine" / "letter.txt") << "dear";
+  const Ended used = line.evbal("sweep " + small + " --out mine");
+  EXPECT_EQ(used.status, 2);
+  EXPECT_NE(used.err.find("holds no sweep"), std::string::npos) << used.err;
+}
+
+}  // namespace
+}  // namespace evbal

@@ -1,0 +1,64 @@
+#include "experiments/sweep/sweep_file.hpp"
+
+#include "tests/folder.hpp"
+
+#include <gtest/gtest.h>
+
+namespace evbal {
+namespace {
+
+Sweep small_sweep() {
+  const auto day = [](const std::string& variant, std::uint64_t seed, std::map<std::string, std::string> settings) {
+    return SweptDay{.variant = variant,
+                    .controller = "ratio",
+                    .faults = "calm",
+                    .day = "2024-01-11",
+                    .seed = seed,
+                    .settings = std::move(settings),
+                    .yaml = YamlValue::parse("{}", "a.yaml")};
+  };
+  return {{"balancing.p_ratio", "x"},
+          {day("a", 1, {{"balancing.p_ratio", "10"}}), day("a", 2, {{"balancing.p_ratio", "10"}}),
+           day("b", 18446744073709551615ULL, {{"x", "[1, 2]"}})}};
+}
+
+SweptResult small_result(int lost) {
+  SweptResult result;
+  result.metrics.totals.flows.lost = lost;
+  result.metrics.totals.idle_km = 0.1;
+  result.metrics.steps = {{.step = 0}, {.step = 1}};
+  result.digest = "d" + std::to_string(lost);
+  return result;
+}
+
+class SweepFileOf3 : public ::testing::Test {
+ protected:
+  void add(const std::string& key, int lost) const { add_result(file_, key, {}, small_result(lost)); }
+
+  Folder folder_;
+  std::filesystem::path file_ = folder_.path() / "sweep.sqlite";
+};
+
+TEST_F(SweepFileOf3, SaysTheSameInWhateverOrderDaysEnd) {
+  EXPECT_TRUE(begin_sweep(file_, small_sweep(), {"k1", "k2", "k3"}).empty());
+  add("k3", 30);
+  EXPECT_EQ(begin_sweep(file_, small_sweep(), {"k1", "k2", "k3"}), (std::set<std::string>{"k3"}));
+  add("k1", 10);
+  add("k2", 20);
+  const std::string days = swept_days_csv(file_);
+  EXPECT_TRUE(days.starts_with("run,variant,controller,faults,day,seed,balancing.p_ratio,x,idle_km,")) << days;
+  EXPECT_NE(days.find("\n1,a,ratio,calm,2024-01-11,1,10,,0.1,"), std::string::npos) << days;
+  EXPECT_NE(days.find("\n3,b,ratio,calm,2024-01-11,18446744073709551615,,\"[1, 2]\",0.1,"), std::string::npos) << days;
+  EXPECT_LT(days.find(",d10\n"), days.find(",d20\n"));
+  const std::string steps = swept_steps_csv(file_);
+  EXPECT_TRUE(steps.starts_with("run,start,step,idle_km,")) << steps;
+  EXPECT_NE(steps.find("\n3,05:30,1,"), std::string::npos) << steps;
+}
+
+TEST_F(SweepFileOf3, RefusesAnotherFile) {
+  folder_.write("sweep.sqlite", "dear diary");
+  EXPECT_THROW(begin_sweep(file_, small_sweep(), {"k1", "k2", "k3"}), Error);
+}
+
+}  // namespace
+}  // namespace evbal
