@@ -21,6 +21,7 @@ enum class Purpose : std::uint32_t {
   shifted_passenger = 11,  ///< who is redirected by a demand fault
   breakdown = 12,          ///< which vehicle breaks down
   sensor = 13,             ///< what a sensor says that does not measure
+  resampled_day = 14,      ///< days drawn for an interval
 };
 
 /// The place of a draw: who draws, when, and for which of several like things.

@@ -1,5 +1,6 @@
 #include "common/error.hpp"
 #include "common/pin.hpp"
+#include "experiments/compare_command.hpp"
 #include "experiments/doctor_command.hpp"
 #include "experiments/replay_command.hpp"
 #include "experiments/report_command.hpp"
@@ -19,6 +20,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   evbal::add_run_command(app);
   evbal::add_sweep_command(app);
+  evbal::add_compare_command(app);
   evbal::add_report_command(app);
   evbal::add_replay_command(app);
   evbal::add_ingest_command(app);

@@ -60,4 +60,22 @@ std::string side_by_side(const std::vector<RunResult>& results) {
   return text + "\n";
 }
 
+std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size_t left) {
+  std::vector<std::size_t> widths;
+  for (const auto& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()));
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      widths[i] = std::max(widths[i], row[i].size());
+    }
+  }
+  std::string text;
+  for (const auto& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      text += (i == 0 ? "" : "  ") + padded(row[i], widths[i], i < left);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
 }  // namespace evbal

@@ -2,6 +2,7 @@
 
 #include "experiments/record/run_record.hpp"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -9,5 +10,8 @@ namespace evbal {
 
 /// The totals of runs side by side, a column a run, aligned for a terminal.
 std::string side_by_side(const std::vector<RunResult>& results);
+
+/// Rows of cells in columns, the first `left` of them flush left, the others flush right.
+std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size_t left);
 
 }  // namespace evbal

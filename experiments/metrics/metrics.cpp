@@ -1,6 +1,7 @@
 #include "experiments/metrics/metrics.hpp"
 
 #include "experiments/metrics/columns.hpp"
+#include "experiments/metrics/quantile.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -184,18 +185,6 @@ void judge_plans(const MetricsFrame& frame, std::span<const TickRecord> ticks, C
 double share_lost(const Flows& flows) {
   const std::int64_t settled = flows.served + flows.lost;
   return settled > 0 ? static_cast<double>(flows.lost) / static_cast<double>(settled) : 0.0;
-}
-
-/// Linear between order statistics.
-double quantile(std::vector<double> values, double probability) {
-  if (values.empty()) {
-    return 0.0;
-  }
-  std::sort(values.begin(), values.end());
-  const double place = probability * static_cast<double>(values.size() - 1);
-  const auto below = static_cast<std::size_t>(place);
-  const std::size_t above = std::min(below + 1, values.size() - 1);
-  return values[below] + (place - std::floor(place)) * (values[above] - values[below]);
 }
 
 double p90_regional_loss(std::span<const RegionStep> rows, std::size_t regions) {

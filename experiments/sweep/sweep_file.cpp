@@ -63,6 +63,22 @@ Row day_row(std::size_t run, const Sweep& sweep, const SweptDay& day, const std:
   return row;
 }
 
+/// A row of `days` with its result.
+FinishedDay finished_day(SQLite::Statement& row) {
+  FinishedDay day{.variant = row.getColumn("variant").getString(),
+                  .faults = row.getColumn("faults").getString(),
+                  .day = row.getColumn("day").getString(),
+                  .seed = std::stoull(row.getColumn("seed").getString())};
+  int at = row.getColumnIndex("seed") + 1;
+  for (; std::string(row.getColumnName(at)) != "key"; ++at) {
+    day.settings[row.getColumnName(at)] = row.getColumn(at).getString();
+  }
+  for (const auto& metric : metric_names()) {
+    day.totals[metric] = row.getColumn(metric.c_str()).getDouble();
+  }
+  return day;
+}
+
 std::string quoted(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) {
     return text;
@@ -143,6 +159,23 @@ std::string swept_days_csv(const fs::path& file) {
 
 std::string swept_steps_csv(const fs::path& file) {
   return csv(file, "SELECT run, steps.* FROM days JOIN steps USING (key) ORDER BY run, step");
+}
+
+std::vector<FinishedDay> read_finished(const fs::path& file) {
+  if (!fs::exists(file)) {
+    throw bad_input(file.string() + ": is not there; give a directory that `evbal sweep` wrote");
+  }
+  const SQLite::Database database = opened(file, SQLite::OPEN_READONLY);
+  SQLite::Statement rows(database, "SELECT * FROM days LEFT JOIN results USING (key) ORDER BY run");
+  std::vector<FinishedDay> days;
+  while (rows.executeStep()) {
+    if (rows.getColumn("digest").isNull()) {
+      throw bad_input(file.string() + ": run " + rows.getColumn("run").getString() +
+                      " is missing; run the sweep to its end first");
+    }
+    days.push_back(finished_day(rows));
+  }
+  return days;
 }
 
 }  // namespace evbal

@@ -5,6 +5,7 @@
 #include "experiments/sweep/sweep.hpp"
 
 #include <filesystem>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -41,5 +42,18 @@ std::string swept_days_csv(const std::filesystem::path& file);
 
 /// steps.csv: a row a step of every day, `run` first.
 std::string swept_steps_csv(const std::filesystem::path& file);
+
+/// A day of a sweep and what it came to.
+struct FinishedDay {
+  std::string variant;
+  std::string faults;
+  std::string day;
+  std::uint64_t seed = 0;
+  std::map<std::string, std::string> settings{};  ///< of the variant, by path
+  std::map<std::string, double> totals{};         ///< by metric
+};
+
+/// The days of a finished sweep, by `run`. Throws Error{bad_input} if there is no sweep or a day of it is missing.
+std::vector<FinishedDay> read_finished(const std::filesystem::path& file);
 
 }  // namespace evbal

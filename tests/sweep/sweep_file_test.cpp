@@ -43,6 +43,7 @@ TEST_F(SweepFileOf3, SaysTheSameInWhateverOrderDaysEnd) {
   EXPECT_TRUE(begin_sweep(file_, small_sweep(), {"k1", "k2", "k3"}).empty());
   add("k3", 30);
   EXPECT_EQ(begin_sweep(file_, small_sweep(), {"k1", "k2", "k3"}), (std::set<std::string>{"k3"}));
+  EXPECT_THROW(read_finished(file_), Error);
   add("k1", 10);
   add("k2", 20);
   const std::string days = swept_days_csv(file_);
@@ -55,9 +56,23 @@ TEST_F(SweepFileOf3, SaysTheSameInWhateverOrderDaysEnd) {
   EXPECT_NE(steps.find("\n3,05:30,1,"), std::string::npos) << steps;
 }
 
+TEST_F(SweepFileOf3, GivesFinishedDaysBack) {
+  begin_sweep(file_, small_sweep(), {"k1", "k2", "k2"});
+  add("k1", 10);
+  add("k2", 20);
+  const auto days = read_finished(file_);
+  ASSERT_EQ(days.size(), 3U);
+  EXPECT_EQ(days[0].variant, "a");
+  EXPECT_EQ(days[0].totals.at("lost"), 10.0);
+  EXPECT_EQ(days[2].totals.at("lost"), 20.0);
+  EXPECT_EQ(days[2].seed, 18446744073709551615ULL);
+  EXPECT_EQ(days[2].settings.at("x"), "[1, 2]");
+}
+
 TEST_F(SweepFileOf3, RefusesAnotherFile) {
   folder_.write("sweep.sqlite", "dear diary");
   EXPECT_THROW(begin_sweep(file_, small_sweep(), {"k1", "k2", "k3"}), Error);
+  EXPECT_THROW(read_finished(folder_.path() / "none.sqlite"), Error);
 }
 
 }  // namespace

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+namespace evbal {
+
+/// What one setting of a controller came to on one day.
+struct FrontPoint {
+  double cost = 0.0;   ///< such as idle km
+  double value = 0.0;  ///< such as lost passengers
+};
+
+/// The value that a controller has at `cost`, linear between the neighbouring points of its front, in any order; of
+/// points with the same cost the lowest counts. Nothing if `cost` lies outside of the front: it says nothing there.
+std::optional<double> value_at(std::vector<FrontPoint> front, double cost);
+
+}  // namespace evbal

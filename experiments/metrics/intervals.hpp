@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+/// How sure a mean over days is ("How a result is earned", docs/metrics.md). Days are the unit: seeds of one day share
+/// its demand, so they are averaged first, and it is the days' means that vary.
+namespace evbal {
+
+/// A number from one day with one seed.
+struct DayValue {
+  std::string day;
+  double value = 0.0;
+};
+
+/// A mean and its 95 % interval, which is infinite where there are fewer than two days.
+struct Interval {
+  double mean = 0.0;  ///< of the days' means
+  double low = 0.0;
+  double high = 0.0;
+};
+
+/// By Student's t on the days' means: right for few days if their means are about normal. `values` is not empty.
+Interval t_interval(const std::vector<DayValue>& values);
+
+/// By 10000 draws of as many days with replacement, each day with all its seeds, between the 2.5th and the 97.5th
+/// percentile of their means. Assumes no law, but is too narrow with fewer than some twenty days. The draws are the
+/// same every time. `values` is not empty.
+Interval bootstrap_interval(const std::vector<DayValue>& values);
+
+/// The t with P(|T| <= t) = `probability`, in (0, 1), for `degrees` >= 1 degrees of freedom.
+double student_t(double probability, int degrees);
+
+}  // namespace evbal
