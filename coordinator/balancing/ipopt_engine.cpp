@@ -2,8 +2,9 @@
 
 #include "coordinator/balancing/certificate.hpp"
 #include "coordinator/balancing/ipopt_nlp.hpp"
-#include "coordinator/balancing/linear_relaxation.hpp"
+#include "coordinator/balancing/linear_program.hpp"
 
+#include <coin/ClpSimplex.hpp>
 #include <coin/IpIpoptApplication.hpp>
 #include <coin/IpSolveStatistics.hpp>
 
@@ -74,12 +75,37 @@ std::string reason(Ipopt::ApplicationReturnStatus status, int iterations) {
   }
 }
 
+// The optimum of the linear program with every curve and norm at its tangent at x.
 double lower_bound(const ConvexProgram& program, const Eigen::VectorXd& x) {
-  constexpr int max_simplex_iterations = 200000;
-  LinearRelaxation relaxation(program);
-  relaxation.add_tangents(x);
-  const auto outcome = relaxation.solve(max_simplex_iterations);
-  return outcome.optimal ? outcome.lower_bound : -ConvexProgram::infinity;
+  LinearProgram lp(program);
+  for (const auto& norm : program.norms()) {
+    lp.add_column(0.0, ConvexProgram::infinity, norm.weight);
+  }
+  for (std::size_t row = 0; row + 1 < program.row_start().size(); ++row) {
+    for (int at = program.row_start()[row]; at < program.row_start()[row + 1]; ++at) {
+      const auto& [variable, coefficient] = program.entries()[static_cast<std::size_t>(at)];
+      lp.add(variable, coefficient);
+    }
+    lp.end_row(program.row_low()[row], program.row_high()[row]);
+  }
+  for (const auto& curve : program.curves()) {
+    const auto jet = curve.function->around(x(curve.of));
+    lp.add(curve.above, 1.0);
+    lp.add(curve.of, -jet.slope);
+    lp.end_row(jet.value - jet.slope * x(curve.of));
+  }
+  int above = program.variables();
+  for (const auto& norm : program.norms()) {
+    const Eigen::VectorXd gradient = norm.gradient(values_of(norm.variables, x));
+    for (std::size_t i = 0; i < norm.variables.size(); ++i) {
+      lp.add(norm.variables[i], -gradient(static_cast<Eigen::Index>(i)));
+    }
+    lp.add(above++, 1.0);
+    lp.end_row(0.0);
+  }
+  const auto clp = lp.load();
+  clp->dual();
+  return clp->isProvenOptimal() ? lp.lower_bound(*clp) : -ConvexProgram::infinity;
 }
 
 }  // namespace

@@ -1,151 +1,188 @@
 #include "coordinator/balancing/linear_relaxation.hpp"
 
 #include <coin/ClpSimplex.hpp>
-#include <coin/CoinPackedMatrix.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <vector>
+#include <cassert>
 
 namespace evbal {
 namespace {
 
-// The program's columns, then one column a norm that stands above it.
-CoinPackedMatrix matrix_of(const ConvexProgram& program) {
-  std::vector<int> columns;
-  std::vector<double> elements;
-  std::vector<CoinBigIndex> starts(program.row_start().begin(), program.row_start().end());
-  for (const auto& [variable, coefficient] : program.entries()) {
-    columns.push_back(variable);
-    elements.push_back(coefficient);
+constexpr double infinity = ConvexProgram::infinity;
+
+// A tangent of a norm at x, or as much of it as leaves no variable with a cost below zero, on which it would grow
+// without end: a norm lies above any part of its tangents, too.
+Eigen::VectorXd affordable_gradient(const ConvexProgram& program, const NormTerm& norm, const Eigen::VectorXd& x) {
+  const Eigen::VectorXd gradient = norm.gradient(values_of(norm.variables, x));
+  double share = 1.0;
+  for (std::size_t i = 0; i < norm.variables.size(); ++i) {
+    const double cost = std::max(0.0, program.cost()[static_cast<std::size_t>(norm.variables[i])]);
+    const double change = norm.weight * gradient(static_cast<Eigen::Index>(i));
+    share = cost + change < 0.0 ? std::min(share, -cost / change) : share;
   }
-  CoinPackedMatrix matrix(false, program.variables(), program.rows(), static_cast<CoinBigIndex>(elements.size()),
-                          elements.data(), columns.data(), starts.data(), nullptr);
-  matrix.setDimensions(program.rows(), program.variables() + static_cast<int>(program.norms().size()));
-  return matrix;
+  return share * gradient;
 }
-
-// Clp knows the largest double as no bound, and no infinity.
-std::vector<double> clp_bounds(std::vector<double> bounds) {
-  for (double& bound : bounds) {
-    bound = std::clamp(bound, -COIN_DBL_MAX, COIN_DBL_MAX);
-  }
-  return bounds;
-}
-
-// New rows  coefficients'x >= low, added in one go.
-class Rows {
- public:
-  void add(int column, double element) {
-    columns_.push_back(column);
-    elements_.push_back(element);
-  }
-
-  void end(double low) {
-    low_.push_back(low);
-    starts_.push_back(static_cast<CoinBigIndex>(columns_.size()));
-  }
-
-  void add_to(ClpSimplex& clp) const {
-    const std::vector<double> high(low_.size(), COIN_DBL_MAX);
-    clp.addRows(static_cast<int>(low_.size()), low_.data(), high.data(), starts_.data(), columns_.data(),
-                elements_.data());
-  }
-
- private:
-  std::vector<double> low_;
-  std::vector<CoinBigIndex> starts_ = {0};
-  std::vector<int> columns_;
-  std::vector<double> elements_;
-};
 
 }  // namespace
 
-LinearRelaxation::LinearRelaxation(const ConvexProgram& program)
-    : program_(program), clp_(std::make_unique<ClpSimplex>()) {
-  std::vector<double> lower = clp_bounds(program.lower());
-  std::vector<double> upper = clp_bounds(program.upper());
-  std::vector<double> cost = program.cost();
+// Columns: the program's, a height for each norm, then each curve's parts. Rows: the program's, one for each curve's
+// argument, then the norms' further tangents. So all but the parts keep their place from solve to solve.
+LinearRelaxation::LinearRelaxation(const ConvexProgram& program) : program_(program) {
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(program.variables());
+  curve_above_.assign(program.cost().size(), -1);
+  for (const auto& curve : program.curves()) {
+    int& above = curve_above_[static_cast<std::size_t>(curve.above)];
+    assert(above < 0);
+    above = static_cast<int>(curves_.size());
+    const double lower = program.lower()[static_cast<std::size_t>(curve.of)];
+    curves_.push_back({&curve, Tangents(curve.function, lower)});
+    x(curve.above) = curve.function->around(lower + 1.0).value;
+  }
   for (const auto& norm : program.norms()) {
-    lower.push_back(0.0);
-    upper.push_back(COIN_DBL_MAX);
-    cost.push_back(norm.weight);
+    first_gradients_.push_back(affordable_gradient(program, norm, x));
   }
-  clp_->setLogLevel(0);
-  // Shares of a transition go down to nothing, and geometric scaling makes them loud: with it Clp 1.17 stops at points
-  // up to 8 % off and calls them optimal, and takes five times as long. Vehicles and km are of one size as they are.
-  clp_->scaling(0);
-  // Where a curve falls by thousands a vehicle, the default of 1e-7 vehicles costs more than a gap of 1e-6 allows.
-  clp_->setPrimalTolerance(1e-9);
-  clp_->loadProblem(matrix_of(program), lower.data(), upper.data(), cost.data(), clp_bounds(program.row_low()).data(),
-                    clp_bounds(program.row_high()).data());
 }
 
-LinearRelaxation::~LinearRelaxation() = default;
-
-void LinearRelaxation::add_tangents(const Eigen::VectorXd& x) {
-  Rows rows;
-  // above >= f(x) + f'(x) (of - x)
-  for (const auto& curve : program_.curves()) {
-    const auto jet = curve.function->around(x(curve.of));
-    rows.add(curve.above, 1.0);
-    rows.add(curve.of, -jet.slope);
-    rows.end(jet.value - jet.slope * x(curve.of));
-  }
-  // t >= (Sigma z)' Z / || Sigma^(1/2) z ||
-  int t = program_.variables();
-  for (const auto& term : program_.norms()) {
-    const Eigen::VectorXd z = values_of(term.variables, x);
-    const double norm = term.norm(z);
-    if (norm > 0.0) {
-      const Eigen::VectorXd slope =
-          ((term.deviation.array().square() * z.array()).matrix() + term.factors * (term.factors.transpose() * z)) /
-          norm;
-      for (Eigen::Index i = 0; i < z.size(); ++i) {
-        rows.add(term.variables[static_cast<std::size_t>(i)], -slope(i));
-      }
-      rows.add(t, 1.0);
-      rows.end(0.0);
+LinearProgram LinearRelaxation::linear_program() {
+  LinearProgram lp(program_);
+  for (std::size_t n = 0; n < first_gradients_.size(); ++n) {
+    const auto& norm = program_.norms()[n];
+    lp.add_column(0.0, infinity, norm.weight);
+    for (std::size_t i = 0; i < norm.variables.size(); ++i) {
+      lp.add_cost(norm.variables[i], norm.weight * first_gradients_[n](static_cast<Eigen::Index>(i)));
     }
-    ++t;
   }
-  rows.add_to(*clp_);
+  for (auto& curve : curves_) {
+    const double cost = lp.cost(curve.row->above);
+    lp.bound(curve.row->above, 0.0, infinity);
+    lp.add_constant(cost * curve.tangents.value_at_lower());
+    curve.first_part = lp.columns();
+    curve.pieces = curve.tangents.pieces();
+    for (const auto& piece : curve.pieces) {
+      lp.add_column(0.0, piece.width, cost * piece.slope);
+    }
+  }
+  for (int row = 0; row < program_.rows(); ++row) {
+    double constant = 0.0;
+    const auto at = static_cast<std::size_t>(row);
+    for (int entry = program_.row_start()[at]; entry < program_.row_start()[at + 1]; ++entry) {
+      const auto& [variable, coefficient] = program_.entries()[static_cast<std::size_t>(entry)];
+      constant += write(lp, variable, coefficient);
+    }
+    lp.end_row(program_.row_low()[at] - constant, program_.row_high()[at] - constant);
+  }
+  for (const auto& curve : curves_) {
+    const double lower = program_.lower()[static_cast<std::size_t>(curve.row->of)];
+    lp.add(curve.row->of, 1.0);
+    for (std::size_t m = 0; m < curve.pieces.size(); ++m) {
+      lp.add(curve.first_part + static_cast<int>(m), -1.0);
+    }
+    lp.end_row(lower, lower);
+  }
+  for (const auto& [n, gradient] : norm_rows_) {
+    double constant = 0.0;
+    const auto& variables = program_.norms()[n].variables;
+    for (std::size_t i = 0; i < variables.size(); ++i) {
+      constant += write(lp, variables[i], -gradient(static_cast<Eigen::Index>(i)));
+    }
+    lp.add(program_.variables() + static_cast<int>(n), 1.0);
+    lp.end_row(-constant);
+  }
+  return lp;
 }
 
-// For any multipliers y of the rows,  cost'x = (cost - A'y)'x + y'(A x)  is at least what bounds and rows allow term by
-// term. At the optimum the reduced costs of variables without a bound are zero but for rounding; that rest is charged
-// as if those variables reached ten times the largest value of the optimum.
-double LinearRelaxation::lower_bound() const {
-  const int columns = clp_->numberColumns();
-  const int rows = clp_->numberRows();
-  const Eigen::Map<const Eigen::VectorXd> x(clp_->primalColumnSolution(), columns);
-  const double reach = 10.0 * std::max(1.0, x.cwiseAbs().maxCoeff());
-  const auto least = [reach](double price, double low, double high) {
-    return price * (price > 0.0 ? std::max(low, -reach) : std::min(high, reach));
-  };
-  double bound = program_.constant();
-  Eigen::VectorXd multiplier(rows);
-  for (int row = 0; row < rows; ++row) {
-    const double y = clp_->dualRowSolution()[row];
-    const double side = y > 0.0 ? clp_->rowLower()[row] : clp_->rowUpper()[row];
-    multiplier(row) = std::abs(side) < COIN_DBL_MAX ? y : 0.0;
-    bound += multiplier(row) == 0.0 ? 0.0 : y * side;
+// Writes coefficient * variable, with what stands above a curve in terms of its parts; gives the constant that remains.
+double LinearRelaxation::write(LinearProgram& lp, int variable, double coefficient) const {
+  lp.add(variable, coefficient);
+  const int above = curve_above_[static_cast<std::size_t>(variable)];
+  if (above < 0) {
+    return 0.0;
   }
-  Eigen::VectorXd priced(columns);
-  clp_->matrix()->transposeTimes(multiplier.data(), priced.data());
-  for (int i = 0; i < columns; ++i) {
-    bound += least(clp_->objective()[i] - priced(i), clp_->columnLower()[i], clp_->columnUpper()[i]);
+  const auto& curve = curves_[static_cast<std::size_t>(above)];
+  for (std::size_t m = 0; m < curve.pieces.size(); ++m) {
+    lp.add(curve.first_part + static_cast<int>(m), coefficient * curve.pieces[m].slope);
   }
-  return bound;
+  return coefficient * curve.tangents.value_at_lower();
 }
 
-LinearRelaxation::Outcome LinearRelaxation::solve(int max_iterations) {
-  clp_->setMaximumIterations(clp_->numberIterations() + max_iterations);
-  clp_->dual();
-  return {.optimal = clp_->isProvenOptimal(),
-          .lower_bound = lower_bound(),
-          .x = Eigen::Map<const Eigen::VectorXd>(clp_->primalColumnSolution(), program_.variables()),
-          .iterations = clp_->numberIterations()};
+LinearRelaxation::Outcome LinearRelaxation::solve() {
+  const LinearProgram lp = linear_program();
+  const auto clp = lp.load();
+  if (!basis_.empty()) {
+    start_from_prices(*clp);
+  }
+  clp->dual();
+  keep_prices(*clp);
+  return {.optimal = clp->isProvenOptimal(), .lower_bound = lp.lower_bound(*clp), .x = point(*clp)};
+}
+
+void LinearRelaxation::keep_prices(const ClpSimplex& clp) {
+  basis_.clear();
+  for (int column = 0; column < first_part(); ++column) {
+    basis_.push_back(clp.getColumnStatus(column));
+  }
+  for (int row = 0; row < clp.numberRows(); ++row) {
+    basis_.push_back(clp.getRowStatus(row));
+  }
+  for (std::size_t n = 0; n < curves_.size(); ++n) {
+    auto& curve = curves_[n];
+    const double price_of_value = clp.dualColumnSolution()[curve.row->above];
+    const double price_of_argument = clp.dualRowSolution()[program_.rows() + static_cast<int>(n)];
+    curve.slope = price_of_value > 0.0 ? -price_of_argument / price_of_value : -infinity;
+    curve.basic.clear();
+    for (std::size_t m = 0; m < curve.pieces.size(); ++m) {
+      if (clp.getColumnStatus(curve.first_part + static_cast<int>(m)) == ClpSimplex::basic) {
+        curve.basic.push_back(curve.pieces[m].at);
+      }
+    }
+  }
+}
+
+void LinearRelaxation::start_from_prices(ClpSimplex& clp) const {
+  clp.createStatus();
+  const int columns = first_part();
+  for (int column = 0; column < columns; ++column) {
+    clp.setColumnStatus(column, static_cast<ClpSimplex::Status>(basis_[static_cast<std::size_t>(column)]));
+  }
+  for (int row = 0; columns + row < std::ssize(basis_); ++row) {
+    clp.setRowStatus(row, static_cast<ClpSimplex::Status>(basis_[static_cast<std::size_t>(columns + row)]));
+  }
+  for (const auto& curve : curves_) {
+    for (std::size_t m = 0; m < curve.pieces.size(); ++m) {
+      const auto& piece = curve.pieces[m];
+      const bool last = m + 1 == curve.pieces.size();
+      const auto status = std::ranges::find(curve.basic, piece.at) != curve.basic.end() ? ClpSimplex::basic
+                          : piece.slope < curve.slope && !last                          ? ClpSimplex::atUpperBound
+                                                                                        : ClpSimplex::atLowerBound;
+      clp.setColumnStatus(curve.first_part + static_cast<int>(m), status);
+    }
+  }
+}
+
+Eigen::VectorXd LinearRelaxation::point(const ClpSimplex& clp) const {
+  const double* columns = clp.primalColumnSolution();
+  Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(columns, program_.variables());
+  for (const auto& curve : curves_) {
+    double& above = x(curve.row->above);
+    above += curve.tangents.value_at_lower();
+    for (std::size_t m = 0; m < curve.pieces.size(); ++m) {
+      above += curve.pieces[m].slope * columns[curve.first_part + static_cast<int>(m)];
+    }
+  }
+  return x;
+}
+
+void LinearRelaxation::refine(const Eigen::VectorXd& x) {
+  for (auto& curve : curves_) {
+    if (curve.slope > -infinity) {
+      curve.tangents.add_around(curve.slope);
+    }
+    curve.tangents.add(x(curve.row->of));
+  }
+  for (std::size_t n = 0; n < first_gradients_.size(); ++n) {
+    const auto& norm = program_.norms()[n];
+    norm_rows_.push_back({n, norm.gradient(values_of(norm.variables, x)) - first_gradients_[n]});
+  }
 }
 
 }  // namespace evbal

@@ -65,6 +65,14 @@ double NormTerm::norm(const Eigen::VectorXd& z) const {
   return std::sqrt((deviation.array() * z.array()).square().sum() + (factors.transpose() * z).squaredNorm());
 }
 
+Eigen::VectorXd NormTerm::gradient(const Eigen::VectorXd& z) const {
+  const double length = norm(z);
+  if (length == 0.0) {
+    return Eigen::VectorXd::Zero(z.size());
+  }
+  return ((deviation.array().square() * z.array()).matrix() + factors * (factors.transpose() * z)) / length;
+}
+
 Variables ConvexProgram::add_block(const std::string& name, int size, double lower, double upper) {
   assert(size >= 0 && lower <= upper);
   const int first = variables();

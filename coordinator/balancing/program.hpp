@@ -55,6 +55,9 @@ struct NormTerm {
 
   /// || Sigma^(1/2) z ||
   double norm(const Eigen::VectorXd& z) const;
+
+  /// Sigma z / || Sigma^(1/2) z ||, and zero at zero: the slope of a tangent, which passes through zero.
+  Eigen::VectorXd gradient(const Eigen::VectorXd& z) const;
 };
 
 /// above >= function(of)
@@ -91,7 +94,8 @@ class ConvexProgram {
   void equal(const Expression& left, const Expression& right);
   void at_most(const Expression& left, const Expression& right);
 
-  /// above >= function(of), where `of` has a finite lower bound in the function's domain.
+  /// above >= function(of), where `of` has a finite lower bound in the function's domain, and `above` stands above no
+  /// other curve and has no bound that would keep it from the curve.
   void at_least_curve(Variable above, Variable of, ConvexFunctionPtr function);
 
   void minimise(const Expression& cost);

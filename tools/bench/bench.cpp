@@ -38,8 +38,7 @@ std::optional<Cost> by_linear_program(int regions, int tau) {
     BalancingParameters parameters;
     parameters.theta_0 = 0.0;
     return [program = formulate(parameters, city(regions, tau), robust).program] {
-      constexpr int max_iterations = 1000000;
-      return LinearRelaxation(program).solve(max_iterations).optimal;
+      return LinearRelaxation(program).solve().optimal;
     };
   };
   return measure(prepare, limit);
