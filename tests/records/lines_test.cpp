@@ -1,31 +1,12 @@
 #include "tools/records/lines.hpp"
 
 #include "tests/folder.hpp"
+#include "tests/packed.hpp"
 
-#include <archive.h>
-#include <archive_entry.h>
 #include <gtest/gtest.h>
 
 namespace evbal {
 namespace {
-
-/// `text` as a gzip file.
-std::string gzipped(const std::string& text) {
-  std::string bytes(text.size() + 10'000, '\0');
-  std::size_t used = 0;
-  archive* writer = archive_write_new();
-  archive_write_set_format_raw(writer);
-  archive_write_add_filter_gzip(writer);
-  archive_write_open_memory(writer, bytes.data(), bytes.size(), &used);
-  archive_entry* entry = archive_entry_new();
-  archive_entry_set_filetype(entry, AE_IFREG);
-  archive_write_header(writer, entry);
-  archive_write_data(writer, text.data(), text.size());
-  archive_entry_free(entry);
-  archive_write_close(writer);
-  archive_write_free(writer);
-  return bytes.substr(0, used);
-}
 
 /// Longer than the reader's buffer, and not so even that it would vanish in compression.
 std::string long_text() {
@@ -40,7 +21,10 @@ TEST(LineReader, ReadsPlainAndCompressedAlike) {
   const Folder folder;
   const std::string text = long_text();
   EXPECT_EQ(unpacked_text(folder.write("a.csv", text)), text);
-  EXPECT_EQ(unpacked_text(folder.write("a.csv.gz", gzipped(text))), text);
+  EXPECT_EQ(unpacked_text(folder.write("a.csv.gz", packed(text, "gzip"))), text);
+  EXPECT_EQ(unpacked_text(folder.write("a.csv.xz", packed(text, "xz"))), text);
+  EXPECT_EQ(unpacked_text(folder.write("empty.csv", "")), "");
+  EXPECT_EQ(unpacked_text(folder.write("empty.csv.gz", packed("", "gzip"))), "");
 }
 
 TEST(LineReader, TakesLinesOfWindowsAndAnOpenLastLine) {
@@ -58,17 +42,28 @@ TEST(LineReader, TakesLinesOfWindowsAndAnOpenLastLine) {
 
 TEST(LineReader, RefusesATruncatedFile) {
   const Folder folder;
-  const std::string whole = gzipped(long_text());
-  const auto file = folder.write("a.csv.gz", whole.substr(0, whole.size() / 2));
-  try {
-    unpacked_text(file);
-    FAIL() << "was accepted";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.status(), ExitStatus::bad_input);
-    EXPECT_TRUE(std::string(error.what()).starts_with(file.string() + ":")) << error.what();
-    EXPECT_NE(std::string(error.what()).find("truncated"), std::string::npos) << error.what();
+  for (const std::string how : {"gzip", "xz"}) {
+    const std::string whole = packed(long_text(), how);
+    for (const std::size_t size : {whole.size() / 20, whole.size() / 2, whole.size() - 1}) {
+      const auto file = folder.write("a.csv." + how, whole.substr(0, size));
+      try {
+        unpacked_text(file);
+        FAIL() << how << " was accepted, cut after " << size;
+      } catch (const Error& error) {
+        EXPECT_EQ(error.status(), ExitStatus::bad_input);
+        EXPECT_TRUE(std::string(error.what()).starts_with(file.string() + ":")) << error.what();
+      }
+    }
   }
   EXPECT_THROW(unpacked_text(folder.path() / "missing"), Error);
+}
+
+TEST(LineReader, RefusesWhatHasNoLines) {
+  const Folder folder;
+  LineReader lines(folder.write("a.csv", "short\n" + std::string(100'000, 'x') + "\n"), 50'000);
+  std::string line;
+  ASSERT_TRUE(lines.next(line));
+  EXPECT_THROW(lines.next(line), Error);
 }
 
 TEST(SplitCsv, KeepsCommasInQuotes) {

@@ -5,12 +5,15 @@
 #include "agents/city/synthetic.hpp"
 #include "common/error.hpp"
 #include "common/new_folder.hpp"
+#include "tools/gps/ingest_gps.hpp"
 #include "tools/ingest/ingest_partition.hpp"
 #include "tools/ingest/ingest_stations.hpp"
 #include "tools/ingest/ingest_trips.hpp"
 
 #include <CLI/CLI.hpp>
+#include <unistd.h>
 
+#include <cstdio>
 #include <iostream>
 #include <memory>
 
@@ -133,11 +136,52 @@ void add_stations(CLI::App& ingest) {
   });
 }
 
+/// How far the reading has come: one line that renews itself on a terminal, else a line every ten files.
+void show_progress(const FixProgress& progress) {
+  const bool terminal = isatty(STDERR_FILENO) == 1;
+  if (terminal || progress.file % 10 == 1) {
+    std::fprintf(stderr, "%sfile %d of %d, %lld fixes%s", terminal ? "\r\033[K" : "", progress.file, progress.files,
+                 progress.rows, terminal ? "" : "\n");
+  }
+}
+
+void add_gps(CLI::App& ingest) {
+  struct Arguments {
+    GpsSources sources;
+    bool quiet = false;
+    std::string out;
+  };
+  const auto arguments = std::make_shared<Arguments>();
+  GpsSources& sources = arguments->sources;
+  CLI::App* command = ingest.add_subcommand("gps", "Make trips, charging stops and transitions of GPS fixes");
+  command->add_option("--gps", sources.gps, "Folder of tables of fixes, .csv or .txt, plain, .gz or .xz")->required();
+  command->add_option("--format", sources.format, "YAML of where their columns are and what they mean")->required();
+  command->add_option("--regions", sources.regions, "regions.geojson: for transitions between regions");
+  command->add_option("--stations", sources.stations, "YAML with a list `stations`: for charging stops");
+  command->add_option("--out", arguments->out, "New folder for the tables")->required();
+  command->add_flag("--quiet", arguments->quiet, "No progress");
+  command->callback([arguments] {
+    NewFolder folder(arguments->out);
+    const bool quiet = arguments->quiet;
+    const std::string report = ingest_gps(arguments->sources, folder.path(), [quiet](const FixProgress& progress) {
+      if (!quiet) {
+        show_progress(progress);
+      }
+    });
+    if (!quiet && isatty(STDERR_FILENO) == 1) {
+      std::fputs("\n", stderr);
+    }
+    folder.keep();
+    std::cout << report << "wrote " << arguments->out << "\n";
+  });
+}
+
 }  // namespace
 
 void add_ingest_command(CLI::App& app) {
   CLI::App* ingest = app.add_subcommand("ingest", "Make a city pack from raw records or from a seed");
   ingest->require_subcommand(1);
+  add_gps(*ingest);
   add_partition(*ingest);
   add_stations(*ingest);
   add_trips(*ingest);
