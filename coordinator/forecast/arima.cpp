@@ -61,6 +61,19 @@ constexpr double least_diffuse = 1e4;     // an innovation of such variance tell
 
 }  // namespace
 
+// Steps back through Durbin and Levinson's recursion: all partial autocorrelations lie within (-1, 1).
+bool stationary(const Eigen::VectorXd& ar) {
+  Eigen::VectorXd phi = ar;
+  for (Eigen::Index k = ar.size() - 1; k >= 0; --k) {
+    const double partial = phi(k);
+    if (!(std::abs(partial) < 1.0)) {
+      return false;
+    }
+    phi.head(k) = ((phi.head(k) + partial * phi.head(k).reverse()) / (1.0 - partial * partial)).eval();
+  }
+  return true;
+}
+
 // State: ARMA states first (Harvey's form, companion of phi), then the last values of y as differencing needs them.
 ArimaFilter::ArimaFilter(const ArimaModel& model) : variance_(model.variance) {
   const Polynomial phi = product(lag_polynomial(model.ar, -1.0, 1),  //

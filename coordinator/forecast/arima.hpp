@@ -33,6 +33,9 @@ struct ArimaModel {
   double variance = 0.0;        ///< of e
 };
 
+/// Whether y = sum ar_k B^k y + e has a stationary solution: disturbances die away.
+bool stationary(const Eigen::VectorXd& ar);
+
 /// Mean and variance of the steps ahead.
 struct Outlook {
   Eigen::VectorXd mean;

@@ -13,7 +13,7 @@ namespace {
 
 /// Coefficients of a stationary autoregression from partial autocorrelations tanh(x) (Durbin and Levinson; Monahan
 /// 1984): every x in the real line is allowed.
-Eigen::VectorXd stationary(const Eigen::Ref<const Eigen::VectorXd>& x) {
+Eigen::VectorXd coefficients(const Eigen::Ref<const Eigen::VectorXd>& x) {
   Eigen::VectorXd phi(x.size());
   for (Eigen::Index k = 0; k < x.size(); ++k) {
     const double partial = std::tanh(x(k));
@@ -27,10 +27,10 @@ ArimaModel model_at(const ArimaOrder& order, const Eigen::VectorXd& x) {
   const int p = order.p;
   const int q = order.q;
   return {.order = order,
-          .ar = stationary(x.head(p)),
-          .ma = -stationary(x.segment(p, q)),
-          .seasonal_ar = stationary(x.segment(p + q, order.P)),
-          .seasonal_ma = -stationary(x.tail(order.Q)),
+          .ar = coefficients(x.head(p)),
+          .ma = -coefficients(x.segment(p, q)),
+          .seasonal_ar = coefficients(x.segment(p + q, order.P)),
+          .seasonal_ma = -coefficients(x.tail(order.Q)),
           .variance = 1.0};
 }
 

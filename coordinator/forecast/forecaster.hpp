@@ -10,7 +10,8 @@ class Forecaster {
  public:
   virtual ~Forecaster() = default;
 
-  /// Takes the counts (N) of the minutes from the last observation, or the day's start, up to `minute`.
+  /// Takes the counts (N) of the minutes from the last observation, or the day's start, up to `minute`; NaN where they
+  /// are not known.
   virtual void observe(int minute, const Eigen::VectorXd& counts) = 0;
 
   /// Expected counts of the `tau` windows of one step each that follow `minute`, N x tau, none negative. Minutes after

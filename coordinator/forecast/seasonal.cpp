@@ -6,6 +6,8 @@
 #include <cassert>
 #include <charconv>
 #include <chrono>
+#include <cmath>
+#include <limits>
 #include <string_view>
 
 namespace evbal {
@@ -34,6 +36,13 @@ std::chrono::year_month_day calendar_day(const std::string& date) {
   throw bad_input("`" + date + "` is no date; write it as 2008-06-03");
 }
 
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+/// M, floored: of a city without counts, ratios to the mean say nothing.
+double city_total(const Eigen::ArrayXd& mean) {
+  return std::max(1.0, mean.sum());
+}
+
 }  // namespace
 
 DayKind day_kind(const std::string& date, bool holiday) {
@@ -59,16 +68,25 @@ Eigen::VectorXd count_scale(const Eigen::VectorXd& mean) {
   return (mean.array() + 0.25).sqrt();
 }
 
-Regressors regressors(const Deviations& deviations, const Eigen::VectorXd& mean) {
-  return {count_scale(mean).asDiagonal() * deviations.own, mean * deviations.city.transpose()};
+Deviation deviation(const Eigen::VectorXd& observed, const Eigen::VectorXd& mean) {
+  const Eigen::Array<bool, Eigen::Dynamic, 1> known = observed.array() == observed.array();
+  if (!known.any()) {
+    return {unknown, Eigen::VectorXd::Constant(mean.size(), unknown)};
+  }
+  const double expected = city_total(known.select(mean.array(), 0.0));
+  const double excess = known.select((observed - mean).array(), 0.0).sum();
+  const Eigen::VectorXd share = mean * (1.0 + excess / expected);
+  return {excess / std::sqrt(expected), (observed - share).cwiseQuotient(count_scale(mean))};
 }
 
 SeasonalForecaster::SeasonalForecaster(const SeasonalModel& model, DayKind kind, int start)
     : step_minutes_(model.step_minutes),
       mean_(model.mean[static_cast<std::size_t>(kind)]),
-      own_(model.own),
       city_(model.city),
-      start_(start) {}
+      region_(model.region.begin(), model.region.end()),
+      start_(start) {
+  assert(static_cast<Eigen::Index>(region_.size()) == mean_.rows());
+}
 
 Eigen::VectorXd SeasonalForecaster::seasonal(int from, int to) const {
   return window_sum(mean_, step_minutes_, start_ + from, start_ + to);
@@ -78,59 +96,81 @@ void SeasonalForecaster::observe(int minute, const Eigen::VectorXd& counts) {
   assert(counts.size() == mean_.rows());
   const int from = pieces_.empty() ? 0 : pieces_.back().to;
   assert(minute >= from);
-  if (minute == from) {
-    return;
-  }
-  pieces_.push_back({from, minute, counts});
-  const int memory = seasonal_lags * step_minutes_;
-  while (pieces_.front().to <= minute - memory) {
-    pieces_.pop_front();
+  if (minute > from) {
+    pieces_.push_back({from, minute, counts});
   }
 }
 
-Deviations SeasonalForecaster::deviations() const {
-  Deviations out{Eigen::MatrixXd::Zero(mean_.rows(), seasonal_lags), Eigen::VectorXd::Zero(seasonal_lags)};
-  const int now = pieces_.empty() ? 0 : pieces_.back().to;
-  for (int lag = 0; lag < seasonal_lags; ++lag) {
-    const int end = now - lag * step_minutes_;
-    const int begin = end - step_minutes_;
-    if (begin < 0) {
-      break;
+/// What was seen of a window, against what was expected of the part seen; unknown where that is less than half.
+Deviation SeasonalForecaster::seen(int from, int to) const {
+  Eigen::VectorXd observed = Eigen::VectorXd::Zero(mean_.rows());
+  Eigen::VectorXd expected = Eigen::VectorXd::Zero(mean_.rows());
+  Eigen::VectorXd minutes = Eigen::VectorXd::Zero(mean_.rows());
+  for (const Piece& piece : pieces_) {
+    const int begin = std::max(from, piece.from);
+    const int end = std::min(to, piece.to);
+    if (begin >= end) {
+      continue;
     }
     // A report that spans two windows is shared out evenly over its minutes.
-    Eigen::VectorXd observed = Eigen::VectorXd::Zero(mean_.rows());
-    for (const Piece& piece : pieces_) {
-      const int overlap = std::min(end, piece.to) - std::max(begin, piece.from);
-      if (overlap > 0) {
-        observed += piece.counts * (static_cast<double>(overlap) / (piece.to - piece.from));
+    const double share = static_cast<double>(end - begin) / (piece.to - piece.from);
+    const Eigen::VectorXd mean = seasonal(begin, end);
+    for (Eigen::Index i = 0; i < mean.size(); ++i) {
+      if (!std::isnan(piece.counts(i))) {
+        observed(i) += share * piece.counts(i);
+        expected(i) += mean(i);
+        minutes(i) += end - begin;
       }
     }
-    const Eigen::VectorXd expected = seasonal(begin, end);
-    const Eigen::VectorXd error = observed - expected;
-    out.own.col(lag) = error.cwiseQuotient(count_scale(expected));
-    out.city(lag) = error.sum() / std::max(1.0, expected.sum());
   }
+  observed = (2.0 * minutes.array() >= to - from).select(observed, unknown);
+  return deviation(observed, expected);
+}
+
+/// s of the step from `from` on, 0 if the day is over.
+Eigen::VectorXd SeasonalForecaster::scale_of(int from) const {
+  const bool over = start_ + from >= mean_.cols() * step_minutes_;
+  return over ? Eigen::VectorXd::Zero(mean_.rows()) : count_scale(seasonal(from, from + step_minutes_));
+}
+
+SeasonalForecaster::Prediction SeasonalForecaster::predict(int minute, int tau) const {
+  ArimaFilter city = city_;
+  std::vector<ArimaFilter> regions = region_;
+  for (int from = minute % step_minutes_; from < minute; from += step_minutes_) {
+    const Deviation now = seen(from, from + step_minutes_);
+    city.observe(now.city);
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+      regions[i].observe(now.region(static_cast<Eigen::Index>(i)));
+    }
+  }
+  const Outlook city_ahead = city.outlook(tau);
+  Prediction out{Eigen::MatrixXd::Zero(mean_.rows(), tau), Eigen::MatrixXd::Zero(mean_.rows(), tau)};
+  for (Eigen::Index i = 0; i < mean_.rows(); ++i) {
+    const Outlook ahead = regions[static_cast<std::size_t>(i)].outlook(tau);
+    out.mean.row(i) = ahead.mean;
+    out.variance.row(i) = ahead.variance;
+  }
+  for (int lead = 0; lead < tau; ++lead) {
+    const int from = minute + lead * step_minutes_;
+    const Eigen::ArrayXd mean = seasonal(from, from + step_minutes_);
+    const Eigen::ArrayXd scale = scale_of(from);
+    const Eigen::ArrayXd share = mean / std::sqrt(city_total(mean));
+    out.mean.col(lead) = mean + share * city_ahead.mean(lead) + scale * out.mean.col(lead).array();
+    out.variance.col(lead) =
+        share.square() * city_ahead.variance(lead) + scale.square() * out.variance.col(lead).array();
+  }
+  out.mean = out.mean.cwiseMax(0.0);
   return out;
 }
 
 Eigen::MatrixXd SeasonalForecaster::forecast(int minute, int tau) const {
-  assert(tau <= own_.cols());
-  const Deviations deviations = this->deviations();
-  Eigen::MatrixXd out(mean_.rows(), tau);
-  for (int lead = 0; lead < tau; ++lead) {
-    const int from = minute + lead * step_minutes_;
-    const Eigen::VectorXd mean = seasonal(from, from + step_minutes_);
-    const Regressors x = regressors(deviations, mean);
-    out.col(lead) = (mean + x.own * own_.col(lead) + x.city * city_.col(lead)).cwiseMax(0.0);
-  }
-  return out;
+  return predict(minute, tau).mean;
 }
 
 Eigen::MatrixXd SeasonalForecaster::scale(int minute, int tau) const {
   Eigen::MatrixXd out(mean_.rows(), tau);
   for (int lead = 0; lead < tau; ++lead) {
-    const int from = minute + lead * step_minutes_;
-    out.col(lead) = count_scale(seasonal(from, from + step_minutes_));
+    out.col(lead) = scale_of(minute + lead * step_minutes_);
   }
   return out;
 }

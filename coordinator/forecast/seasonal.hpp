@@ -1,11 +1,11 @@
 #pragma once
 
+#include "coordinator/forecast/arima.hpp"
 #include "coordinator/forecast/forecaster.hpp"
 
 #include <Eigen/Core>
 
 #include <array>
-#include <deque>
 #include <string>
 #include <vector>
 
@@ -19,25 +19,22 @@ enum class DayKind {
 };
 inline constexpr int day_kinds = 3;
 
-/// Steps that a SeasonalModel looks back.
-inline constexpr int seasonal_lags = 3;
-
 /// Kind of an ISO date ("2008-06-03") by the Gregorian calendar; a holiday is like a Sunday.
 /// Throws Error{bad_input} if `date` is none.
 DayKind day_kind(const std::string& date, bool holiday);
 
-/// Counts per region and step of a day, and how far deviations from them last. The forecast of lead k is
-///     m_k + s_k sum_l own(l, k) u_l + m_k sum_l city(l, k) E_l,
-/// with m the seasonal mean, s = sqrt(m + 1/4) the scale, u_l = (observed - m) / s of the region and
-/// E_l = sum(observed - m) / sum m of the whole city in the l-th step back.
+/// Counts per region and step of a day, and how deviations from them last. With m the seasonal mean of a region and
+/// step, M its sum over the city, and x, X what was observed,
+///     C = (X - M) / sqrt(M)    of the city   and    w = (x - m X / M) / s,  s = sqrt(m + 1/4),  of a region
+/// are autoregressive moving averages that start anew each day. The forecast of lead k is  m (1 + C_k / sqrt(M)) + s
+/// w_k.
 struct SeasonalModel {
   int step_minutes = 30;
   std::array<Eigen::MatrixXd, day_kinds> mean;  ///< by DayKind, N x steps of the day
-  Eigen::MatrixXd own;                          ///< seasonal_lags x leads
-  Eigen::MatrixXd city;                         ///< seasonal_lags x leads
+  ArimaModel city;                              ///< of C
+  std::vector<ArimaModel> region;               ///< of w, N
 
   int regions() const { return static_cast<int>(mean[0].rows()); }
-  int leads() const { return static_cast<int>(own.cols()); }
 };
 
 /// Sum of `mean` (N x steps) over the minutes [from, to) since the day's start, steps cut by the ends counted in part;
@@ -47,18 +44,12 @@ Eigen::VectorXd window_sum(const Eigen::MatrixXd& mean, int step_minutes, int fr
 /// s = sqrt(m + 1/4), as in SeasonalModel.
 Eigen::VectorXd count_scale(const Eigen::VectorXd& mean);
 
-/// Deviations of what was observed from the seasonal mean, newest step first (SeasonalModel).
-struct Deviations {
-  Eigen::MatrixXd own;   ///< u, N x seasonal_lags
-  Eigen::VectorXd city;  ///< E, seasonal_lags
+/// C and w of one window, as in SeasonalModel; NaN where nothing was observed.
+struct Deviation {
+  double city = 0.0;
+  Eigen::VectorXd region;
 };
-
-/// The two parts of the correction at one lead, in counts: s u_l (N x lags) and m E_l (N x lags).
-struct Regressors {
-  Eigen::MatrixXd own;
-  Eigen::MatrixXd city;
-};
-Regressors regressors(const Deviations& deviations, const Eigen::VectorXd& mean);
+Deviation deviation(const Eigen::VectorXd& observed, const Eigen::VectorXd& mean);
 
 /// Seasonal mean with an autoregressive correction, on one day.
 class SeasonalForecaster : public Forecaster {
@@ -70,7 +61,12 @@ class SeasonalForecaster : public Forecaster {
   Eigen::MatrixXd forecast(int minute, int tau) const override;
   Eigen::MatrixXd scale(int minute, int tau) const override;
 
-  Deviations deviations() const;
+  /// The forecast, and what variance the model gives its errors, N x tau both.
+  struct Prediction {
+    Eigen::MatrixXd mean;
+    Eigen::MatrixXd variance;
+  };
+  Prediction predict(int minute, int tau) const;
 
   /// Seasonal mean of the minutes [from, to), N.
   Eigen::VectorXd seasonal(int from, int to) const;
@@ -82,12 +78,15 @@ class SeasonalForecaster : public Forecaster {
     Eigen::VectorXd counts;
   };
 
+  Deviation seen(int from, int to) const;
+  Eigen::VectorXd scale_of(int from) const;
+
   int step_minutes_;
   Eigen::MatrixXd mean_;  ///< of the day's kind
-  Eigen::MatrixXd own_;
-  Eigen::MatrixXd city_;
+  ArimaFilter city_;
+  std::vector<ArimaFilter> region_;
   int start_;
-  std::deque<Piece> pieces_;
+  std::vector<Piece> pieces_;
 };
 
 }  // namespace evbal

@@ -1,16 +1,18 @@
 #include "coordinator/forecast/seasonal_fit.hpp"
 
-#include <Eigen/Cholesky>
+#include "common/parallel.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cassert>
-#include <functional>
 
 namespace evbal {
 namespace {
 
-constexpr int lags = seasonal_lags;
 /// Days of its own kind count once, the mean over all days like so many days more.
 constexpr double days_of_pooled_mean = 2.0;
+/// Counts on all days together, below which a region's deviations tell nothing.
+constexpr double thin = 100.0;
 
 std::vector<CountDay> without(const std::vector<CountDay>& days, std::size_t left_out) {
   std::vector<CountDay> rest = days;
@@ -18,12 +20,64 @@ std::vector<CountDay> without(const std::vector<CountDay>& days, std::size_t lef
   return rest;
 }
 
-std::array<Eigen::MatrixXd, day_kinds> seasonal_means(const std::vector<CountDay>& days) {
+/// Mean over neighbouring steps with binomial weights: a region's day changes slowly, and its counts are few.
+Eigen::MatrixXd smoothed(const Eigen::MatrixXd& mean) {
+  constexpr std::array<double, 3> weights{6.0, 4.0, 1.0};  // by distance
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(mean.rows(), mean.cols());
+  for (int step = 0; step < mean.cols(); ++step) {
+    double total = 0.0;
+    for (int near = std::max(0, step - 2); near <= std::min(step + 2, static_cast<int>(mean.cols()) - 1); ++near) {
+      const double weight = weights[static_cast<std::size_t>(std::abs(near - step))];
+      out.col(step) += weight * mean.col(near);
+      total += weight;
+    }
+    out.col(step) /= total;
+  }
+  return out;
+}
+
+SeasonalMeans smoothed_means(const std::vector<CountDay>& days) {
+  SeasonalMeans means = seasonal_means(days);
+  std::transform(means.begin(), means.end(), means.begin(), smoothed);
+  return means;
+}
+
+/// C and w of SeasonalModel, a stretch for each day.
+struct Series {
+  std::vector<Eigen::VectorXd> city;
+  std::vector<std::vector<Eigen::VectorXd>> region;
+};
+
+/// A day's deviations from a mean that contains the day are too small; each is taken from the mean of the others.
+Series deviations(const std::vector<CountDay>& days) {
+  Series out;
+  out.region.resize(static_cast<std::size_t>(days[0].counts.rows()));
+  for (std::size_t d = 0; d < days.size(); ++d) {
+    const Eigen::MatrixXd& counts = days[d].counts;
+    const Eigen::MatrixXd mean = smoothed_means(without(days, d))[static_cast<std::size_t>(days[d].kind)];
+    Eigen::VectorXd city(counts.cols());
+    Eigen::MatrixXd region(counts.rows(), counts.cols());
+    for (Eigen::Index step = 0; step < counts.cols(); ++step) {
+      const Deviation now = deviation(counts.col(step), mean.col(step));
+      city(step) = now.city;
+      region.col(step) = now.region;
+    }
+    out.city.push_back(city);
+    for (std::size_t i = 0; i < out.region.size(); ++i) {
+      out.region[i].emplace_back(region.row(static_cast<Eigen::Index>(i)));
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+SeasonalMeans seasonal_means(const std::vector<CountDay>& days) {
   Eigen::MatrixXd pooled = Eigen::MatrixXd::Zero(days[0].counts.rows(), days[0].counts.cols());
   for (const CountDay& day : days) {
     pooled += day.counts / static_cast<double>(days.size());
   }
-  std::array<Eigen::MatrixXd, day_kinds> means;
+  SeasonalMeans means;
   for (int kind = 0; kind < day_kinds; ++kind) {
     Eigen::MatrixXd sum = days_of_pooled_mean * pooled;
     double weight = days_of_pooled_mean;
@@ -38,63 +92,39 @@ std::array<Eigen::MatrixXd, day_kinds> seasonal_means(const std::vector<CountDay
   return means;
 }
 
-/// Lives through `day` step by step, calling `look` before each step that can be forecast.
-void walk(const SeasonalModel& model, const CountDay& day,
-          const std::function<void(int step, const SeasonalForecaster&)>& look) {
-  SeasonalForecaster forecaster(model, day.kind);
-  const int steps = static_cast<int>(day.counts.cols());
-  for (int step = 0; step + model.leads() <= steps; ++step) {
-    look(step, forecaster);
-    forecaster.observe((step + 1) * model.step_minutes, day.counts.col(step));
+SeasonalOrders choose_orders(const std::vector<CountDay>& days) {
+  assert(days.size() >= 2);
+  const std::vector<ArimaOrder> grid{{}, {.p = 1}, {.q = 1}, {.p = 1, .q = 1}, {.p = 2}, {.p = 2, .q = 1}};
+  Eigen::VectorXd counts = Eigen::VectorXd::Zero(days[0].counts.rows());
+  for (const CountDay& day : days) {
+    counts += day.counts.rowwise().sum();
   }
-}
-
-/// Normal equations of one lead, all regions pooled, errors in units of their scale.
-struct LeastSquares {
-  Eigen::MatrixXd left = Eigen::MatrixXd::Zero(2 * lags, 2 * lags);
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(2 * lags);
-};
-
-void add_day(std::vector<LeastSquares>& sums, const SeasonalModel& model, const CountDay& day) {
-  walk(model, day, [&](int step, const SeasonalForecaster& forecaster) {
-    const Deviations deviations = forecaster.deviations();
-    for (int lead = 0; lead < model.leads(); ++lead) {
-      const int from = (step + lead) * model.step_minutes;
-      const Eigen::VectorXd mean = forecaster.seasonal(from, from + model.step_minutes);
-      const Eigen::VectorXd weight = count_scale(mean).cwiseInverse();
-      const Regressors x = regressors(deviations, mean);
-      Eigen::MatrixXd design(mean.size(), 2 * lags);
-      design << x.own, x.city;
-      design = weight.asDiagonal() * design;
-      const Eigen::VectorXd error = (day.counts.col(step + lead) - mean).cwiseProduct(weight);
-      LeastSquares& sum = sums[static_cast<std::size_t>(lead)];
-      sum.left += design.transpose() * design;
-      sum.right += design.transpose() * error;
+  const Series series = deviations(days);
+  SeasonalOrders orders;
+  orders.region.resize(series.region.size());
+  if (counts.sum() >= thin) {
+    orders.city = choose_arima(series.city, grid).model.order;
+  }
+  parallel_for(series.region.size(), [&](std::size_t i) {
+    if (counts(static_cast<Eigen::Index>(i)) >= thin) {
+      orders.region[i] = choose_arima(series.region[i], grid).model.order;
     }
   });
+  for (int i = 0; i < counts.size(); ++i) {
+    if (counts(i) < thin) {
+      orders.thin.push_back(i);
+    }
+  }
+  return orders;
 }
 
-SeasonalModel uncorrected(const std::vector<CountDay>& days, int step_minutes, int leads) {
-  return {step_minutes, seasonal_means(days), Eigen::MatrixXd::Zero(lags, leads), Eigen::MatrixXd::Zero(lags, leads)};
-}
-
-}  // namespace
-
-SeasonalModel fit_seasonal(const std::vector<CountDay>& days, int step_minutes, int leads) {
+SeasonalModel fit_seasonal(const std::vector<CountDay>& days, int step_minutes, const SeasonalOrders& orders) {
   assert(days.size() >= 2);
-  // A day's deviations from a mean that contains the day are too small; each is taken from the mean of the others.
-  std::vector<LeastSquares> sums(static_cast<std::size_t>(leads));
-  for (std::size_t d = 0; d < days.size(); ++d) {
-    add_day(sums, uncorrected(without(days, d), step_minutes, leads), days[d]);
-  }
-  SeasonalModel model = uncorrected(days, step_minutes, leads);
-  for (int lead = 0; lead < leads; ++lead) {
-    LeastSquares& sum = sums[static_cast<std::size_t>(lead)];
-    sum.left.diagonal().array() += 1.0;  // keeps series without counts solvable
-    const Eigen::VectorXd coefficients = sum.left.ldlt().solve(sum.right);
-    model.own.col(lead) = coefficients.head(lags);
-    model.city.col(lead) = coefficients.tail(lags);
-  }
+  const Series series = deviations(days);
+  SeasonalModel model{step_minutes, smoothed_means(days), fit_arima(series.city, orders.city).model, {}};
+  model.region.resize(series.region.size());
+  parallel_for(series.region.size(),
+               [&](std::size_t i) { model.region[i] = fit_arima(series.region[i], orders.region[i]).model; });
   return model;
 }
 
@@ -105,35 +135,37 @@ Skill& Skill::operator+=(const Skill& other) {
   return *this;
 }
 
-HeldOutDay hold_out(const SeasonalModel& model, const CountDay& day) {
-  const int n = model.regions();
-  const int leads = model.leads();
+HeldOutDay hold_out(const SeasonalModel& model, const SeasonalMeans& rival, const CountDay& day, int leads) {
+  const Eigen::Index n = model.regions();
   const int origins = static_cast<int>(day.counts.cols()) - leads + 1;
-  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(leads);
-  HeldOutDay out{Eigen::MatrixXd(n * leads, origins), {zero, zero, zero}};
-  walk(model, day, [&](int step, const SeasonalForecaster& forecaster) {
+  const Eigen::MatrixXd& mean = rival[static_cast<std::size_t>(day.kind)];
+  const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(n, leads);
+  HeldOutDay out{Eigen::MatrixXd(n * leads, origins), Eigen::MatrixXd(n * leads, origins), {zero, zero, zero}};
+  SeasonalForecaster forecaster(model, day.kind);
+  for (int step = 0; step < origins; ++step) {
     const int minute = step * model.step_minutes;
-    const Eigen::MatrixXd error = day.counts.middleCols(step, leads) - forecaster.forecast(minute, leads);
+    const Eigen::MatrixXd truth = day.counts.middleCols(step, leads);
+    const Eigen::MatrixXd forecast = forecaster.forecast(minute, leads);
+    const Eigen::MatrixXd error = truth - forecast;
+    out.forecasts.col(step) = forecast.reshaped();
     out.residuals.col(step) = error.cwiseQuotient(forecaster.scale(minute, leads)).reshaped();
-    for (int lead = 0; lead < leads; ++lead) {
-      const Eigen::VectorXd truth = day.counts.col(step + lead);
-      const int from = minute + lead * model.step_minutes;
-      const Eigen::VectorXd mean = forecaster.seasonal(from, from + model.step_minutes);
-      const Eigen::VectorXd last = step == 0 ? mean : Eigen::VectorXd(day.counts.col(step - 1));
-      out.skill.forecast(lead) += error.col(lead).squaredNorm();
-      out.skill.seasonal_mean(lead) += (truth - mean).squaredNorm();
-      out.skill.last_value(lead) += (truth - last).squaredNorm();
-    }
-  });
+    out.skill.forecast += error.cwiseAbs2();
+    out.skill.seasonal_mean += (truth - mean.middleCols(step, leads)).cwiseAbs2();
+    const Eigen::VectorXd last = step == 0 ? mean.col(0) : day.counts.col(step - 1);
+    out.skill.last_value += (truth.colwise() - last).cwiseAbs2();
+    forecaster.observe(minute + model.step_minutes, day.counts.col(step));
+  }
   return out;
 }
 
-std::vector<HeldOutDay> leave_one_day_out(const std::vector<CountDay>& days, int step_minutes, int leads) {
+std::vector<HeldOutDay> leave_one_day_out(const std::vector<CountDay>& days, int step_minutes,
+                                          const SeasonalOrders& orders, int leads) {
   assert(days.size() >= 3);
   std::vector<HeldOutDay> out;
   out.reserve(days.size());
   for (std::size_t d = 0; d < days.size(); ++d) {
-    out.push_back(hold_out(fit_seasonal(without(days, d), step_minutes, leads), days[d]));
+    const std::vector<CountDay> rest = without(days, d);
+    out.push_back(hold_out(fit_seasonal(rest, step_minutes, orders), seasonal_means(rest), days[d], leads));
   }
   return out;
 }

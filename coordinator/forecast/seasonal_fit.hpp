@@ -14,28 +14,46 @@ struct CountDay {
   Eigen::MatrixXd counts;  ///< N x steps
 };
 
-/// Fits means and corrections for `leads` steps ahead. Needs at least two days of the same size.
-SeasonalModel fit_seasonal(const std::vector<CountDay>& days, int step_minutes, int leads);
+/// Orders of a SeasonalModel's autoregressive moving averages.
+struct SeasonalOrders {
+  ArimaOrder city;
+  std::vector<ArimaOrder> region;  ///< N
+  std::vector<int> thin;           ///< regions with too few counts for any: the seasonal mean is their forecast
+};
 
-/// Sums of squared errors over regions, per lead.
+/// Orders of least AICc among p <= 2, q <= 1; `days` are at least two of the same size.
+SeasonalOrders choose_orders(const std::vector<CountDay>& days);
+
+/// Fits means and the coefficients of these orders. Needs at least two days of the same size.
+SeasonalModel fit_seasonal(const std::vector<CountDay>& days, int step_minutes, const SeasonalOrders& orders);
+
+/// Squared errors, summed over origins: N x leads.
 struct Skill {
-  Eigen::VectorXd forecast;
-  Eigen::VectorXd seasonal_mean;
-  Eigen::VectorXd last_value;
+  Eigen::MatrixXd forecast;
+  Eigen::MatrixXd seasonal_mean;  ///< of the plain mean over days of the kind, shrunk as the model's but not smoothed
+  Eigen::MatrixXd last_value;
 
   Skill& operator+=(const Skill& other);
 };
 
 /// Forecasts of one day that the model has not seen, made at every step whose horizon ends within the day.
 struct HeldOutDay {
-  /// Errors divided by Forecaster::scale, one column an origin, stacked step-major (entry (lead, region) at
-  /// lead * N + region).
-  Eigen::MatrixXd residuals;
+  /// One column an origin, stacked step-major (entry (lead, region) at lead * N + region).
+  Eigen::MatrixXd forecasts;
+  Eigen::MatrixXd residuals;  ///< errors divided by Forecaster::scale
   Skill skill;
 };
-HeldOutDay hold_out(const SeasonalModel& model, const CountDay& day);
+
+/// Mean counts per region and step of each kind of day, N x steps.
+using SeasonalMeans = std::array<Eigen::MatrixXd, day_kinds>;
+
+/// Plain means, thin kinds of day shrunk towards all days: the rival of a forecast. At least one day.
+SeasonalMeans seasonal_means(const std::vector<CountDay>& days);
+
+HeldOutDay hold_out(const SeasonalModel& model, const SeasonalMeans& rival, const CountDay& day, int leads);
 
 /// hold_out of each day with the model fitted to all others; needs at least three days.
-std::vector<HeldOutDay> leave_one_day_out(const std::vector<CountDay>& days, int step_minutes, int leads);
+std::vector<HeldOutDay> leave_one_day_out(const std::vector<CountDay>& days, int step_minutes,
+                                          const SeasonalOrders& orders, int leads);
 
 }  // namespace evbal

@@ -36,7 +36,7 @@ struct CityModel {
   int regions() const { return demand.seasonal.regions(); }
 
   /// Steps that can be forecast at most.
-  int leads() const { return demand.seasonal.leads(); }
+  int leads() const { return demand.errors.leads(); }
 
   DayKind kind(const std::string& date) const;
 

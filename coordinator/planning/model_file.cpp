@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int schema = 1;
+constexpr int schema = 2;
 constexpr double large = 1e9;
 constexpr std::array<const char*, day_kinds> kind_names{"weekday", "saturday", "sunday"};
 
@@ -35,12 +35,23 @@ json to_json(const Eigen::MatrixXd& matrix) {
   return rows;
 }
 
+json to_json(const Eigen::VectorXd& vector) {
+  return std::vector<double>(vector.begin(), vector.end());
+}
+
+json to_json(const ArimaModel& arma) {
+  return {{"ar", to_json(arma.ar)}, {"ma", to_json(arma.ma)}, {"variance", arma.variance}};
+}
+
 json to_json(const SeriesModel& series) {
   json mean;
   for (std::size_t kind = 0; kind < kind_names.size(); ++kind) {
     mean[kind_names[kind]] = to_json(series.seasonal.mean[kind]);
   }
-  const Eigen::VectorXd& deviation = series.errors.covariance.deviation;
+  json region = json::array();
+  for (const ArimaModel& arma : series.seasonal.region) {
+    region.push_back(to_json(arma));
+  }
   std::vector<double> g1;
   std::vector<double> g2;
   for (const Thresholds& thresholds : series.errors.thresholds) {
@@ -48,9 +59,9 @@ json to_json(const SeriesModel& series) {
     g2.push_back(thresholds.g2);
   }
   return {{"mean", mean},
-          {"own", to_json(series.seasonal.own)},
           {"city", to_json(series.seasonal.city)},
-          {"deviation", std::vector<double>(deviation.begin(), deviation.end())},
+          {"region", region},
+          {"deviation", to_json(series.errors.covariance.deviation)},
           {"factors", to_json(series.errors.covariance.factors)},
           {"g1", g1},
           {"g2", g2}};
@@ -71,6 +82,25 @@ struct Shape {
   int step_minutes = 0;
 };
 
+Eigen::VectorXd read_vector(JsonObject& in, const char* key, double low, double high) {
+  const std::vector<double> numbers = in.numbers(key, low, high);
+  return Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
+}
+
+ArimaModel read_arma(JsonObject in) {
+  ArimaModel arma;
+  arma.ar = read_vector(in, "ar", -large, large);
+  arma.ma = read_vector(in, "ma", -large, large);
+  arma.order.p = static_cast<int>(arma.ar.size());
+  arma.order.q = static_cast<int>(arma.ma.size());
+  arma.variance = in.number("variance", 0.0, large);
+  if (!stationary(arma.ar)) {
+    throw in.error("ar", "an autoregression that dies away is expected");
+  }
+  in.finish();
+  return arma;
+}
+
 SeriesModel read_series(JsonObject in, const Shape& shape) {
   SeriesModel series;
   series.seasonal.step_minutes = shape.step_minutes;
@@ -79,14 +109,18 @@ SeriesModel read_series(JsonObject in, const Shape& shape) {
     series.seasonal.mean[kind] = mean.matrix(kind_names[kind], shape.regions, shape.steps, 0.0, large);
   }
   mean.finish();
-  series.seasonal.own = in.matrix("own", seasonal_lags, shape.leads, -large, large);
-  series.seasonal.city = in.matrix("city", seasonal_lags, shape.leads, -large, large);
-  const std::vector<double> deviation = in.numbers("deviation", 0.0, large);
+  series.seasonal.city = read_arma(in.object("city"));
+  for (JsonObject& region : in.objects("region")) {
+    series.seasonal.region.push_back(read_arma(region));
+  }
+  if (series.seasonal.region.size() != static_cast<std::size_t>(shape.regions)) {
+    throw in.error("region", "one for each of the " + std::to_string(shape.regions) + " regions is expected");
+  }
   const Eigen::Index size = static_cast<Eigen::Index>(shape.regions) * shape.leads;
-  if (static_cast<Eigen::Index>(deviation.size()) != size) {
+  series.errors.covariance.deviation = read_vector(in, "deviation", 0.0, large);
+  if (series.errors.covariance.deviation.size() != size) {
     throw in.error("deviation", std::to_string(size) + " numbers are expected");
   }
-  series.errors.covariance.deviation = Eigen::Map<const Eigen::VectorXd>(deviation.data(), size);
   series.errors.covariance.factors = in.matrix("factors", size, -large, large);
   const auto g1 = in.numbers("g1", 0.0, large);
   const auto g2 = in.numbers("g2", 0.0, large);

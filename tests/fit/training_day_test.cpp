@@ -13,8 +13,7 @@ CityModel flat_model(const World& world) {
   model.mean_session_minutes = 30.0;
   for (SeriesModel* series : {&model.demand, &model.completions}) {
     series->seasonal.mean.fill(Eigen::MatrixXd::Constant(n, world.clock.steps(), 5.0));
-    series->seasonal.own = Eigen::MatrixXd::Zero(seasonal_lags, 2);
-    series->seasonal.city = Eigen::MatrixXd::Zero(seasonal_lags, 2);
+    series->seasonal.region.resize(world.city.regions.size());
     series->errors.covariance = {Eigen::VectorXd::Ones(2 * n), Eigen::MatrixXd(2 * n, 0)};
     series->errors.thresholds.assign(2, {});
   }

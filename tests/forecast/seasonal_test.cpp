@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace evbal {
 namespace {
 
@@ -30,7 +32,16 @@ std::vector<CountDay> days_with_levels(int count, int regions, std::uint64_t see
 }
 
 SeasonalModel plain_model(const Eigen::MatrixXd& mean) {
-  return {30, {mean, mean, mean}, Eigen::MatrixXd::Zero(3, 2), Eigen::MatrixXd::Zero(3, 2)};
+  return {30, {mean, mean, mean}, {}, std::vector<ArimaModel>(static_cast<std::size_t>(mean.rows()))};
+}
+
+ArimaModel autoregression(double ar) {
+  return {.order = {.p = 1},
+          .ar = Eigen::VectorXd::Constant(1, ar),
+          .ma = {},
+          .seasonal_ar = {},
+          .seasonal_ma = {},
+          .variance = 1.0};
 }
 
 TEST(DayKind, FollowsTheCalendar) {
@@ -63,30 +74,64 @@ TEST(SeasonalForecaster, WithoutCorrectionIsTheSeasonalMean) {
 }
 
 TEST(SeasonalForecaster, CorrectsByWhatWasSeenInTheLastStep) {
-  SeasonalModel model = plain_model(Eigen::MatrixXd::Constant(1, steps, 6.0));
-  model.own(0, 0) = 0.5;
-  model.own(0, 1) = 0.25;
-  SeasonalForecaster forecaster(model, DayKind::weekday);
+  const Eigen::MatrixXd mean = Eigen::MatrixXd::Constant(2, steps, 6.0);
+  SeasonalModel model = plain_model(mean);
+  model.city = autoregression(0.5);
+  SeasonalForecaster city(model, DayKind::weekday);
+  model.city = {};
+  model.region[0] = autoregression(0.5);
+  SeasonalForecaster region(model, DayKind::weekday);
   for (int minute = 10; minute <= 40; minute += 10) {
-    forecaster.observe(minute, Eigen::VectorXd::Constant(1, minute <= 10 ? 0.0 : 4.0));
+    const Eigen::Vector2d counts(minute <= 10 ? 0.0 : 4.0, 2.0);
+    city.observe(minute, counts);
+    region.observe(minute, counts);
   }
-  // 12 in the last half hour against 6 expected.
-  EXPECT_NEAR(forecaster.forecast(40, 2)(0, 0), 6.0 + 0.5 * 6.0, 1e-12);
-  EXPECT_NEAR(forecaster.forecast(40, 2)(0, 1), 6.0 + 0.25 * 6.0, 1e-12);
+  // 12 and 6 in the last half hour against 6 and 6 expected; 9 would have been the first one's share.
+  EXPECT_NEAR(city.forecast(40, 2)(0, 0), 6.0 + 0.5 * 3.0, 1e-12);
+  EXPECT_NEAR(city.forecast(40, 2)(1, 1), 6.0 + 0.25 * 3.0, 1e-12);
+  EXPECT_NEAR(region.forecast(40, 2)(0, 0), 6.0 + 0.5 * 3.0, 1e-12);
+  EXPECT_NEAR(region.forecast(40, 2)(0, 1), 6.0 + 0.25 * 3.0, 1e-12);
+  EXPECT_NEAR(region.forecast(40, 2)(1, 0), 6.0, 1e-12);
+}
+
+TEST(SeasonalForecaster, WaitsForWhatIsNotReported) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  SeasonalModel model = plain_model(Eigen::MatrixXd::Constant(2, steps, 6.0));
+  model.region[0] = autoregression(0.5);
+  SeasonalForecaster forecaster(model, DayKind::weekday);
+  forecaster.observe(30, Eigen::Vector2d(12.0, 6.0));
+  const double seen = forecaster.forecast(30, 2)(0, 1);
+  forecaster.observe(60, Eigen::Vector2d(unknown, 6.0));
+  EXPECT_NEAR(forecaster.forecast(60, 1)(0, 0), seen, 1e-12);
+  EXPECT_EQ(forecaster.forecast(60, 1)(0, 0), forecaster.forecast(60, 2)(0, 0));
+  EXPECT_NEAR(forecaster.forecast(90, 1)(0, 0) - 6.0, (seen - 6.0) / 2.0, 1e-12) << "nothing at all was reported";
+  forecaster.observe(80, Eigen::Vector2d(unknown, unknown));
+  forecaster.observe(90, Eigen::Vector2d(8.0, 2.0));
+  EXPECT_NEAR(forecaster.forecast(90, 1)(0, 0) - 6.0, (seen - 6.0) / 2.0, 1e-12) << "ten minutes are too few";
+}
+
+TEST(SeasonalForecaster, KnowsHowFarItMayBeOff) {
+  SeasonalModel model = plain_model(Eigen::MatrixXd::Constant(4, steps, 6.0));
+  model.city = autoregression(0.5);
+  model.city.variance = 2.0;
+  model.region.assign(4, autoregression(0.5));
+  const auto ahead = SeasonalForecaster(model, DayKind::weekday).predict(0, 1);
+  EXPECT_NEAR(ahead.variance(0, 0), (2.0 * 36.0 / 24.0 + 6.25) / 0.75, 1e-12);
 }
 
 TEST(SeasonalForecaster, NeverForecastsLessThanNothing) {
-  SeasonalModel model = plain_model(Eigen::MatrixXd::Constant(1, steps, 6.0));
-  model.own(0, 0) = 3.0;
+  SeasonalModel model = plain_model(Eigen::MatrixXd::Constant(2, steps, 6.0));
+  model.region[0] = autoregression(0.99);
   SeasonalForecaster forecaster(model, DayKind::weekday);
-  forecaster.observe(30, Eigen::VectorXd::Zero(1));
+  forecaster.observe(30, Eigen::Vector2d(0.0, 60.0));
   EXPECT_DOUBLE_EQ(forecaster.forecast(30, 1)(0, 0), 0.0);
 }
 
 TEST(FitSeasonal, LearnsThatALevelStays) {
   const auto days = days_with_levels(14, 4, 1);
-  Skill skill{Eigen::VectorXd::Zero(2), Eigen::VectorXd::Zero(2), Eigen::VectorXd::Zero(2)};
-  for (const auto& day : leave_one_day_out(days, 30, 2)) {
+  const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(4, 2);
+  Skill skill{zero, zero, zero};
+  for (const auto& day : leave_one_day_out(days, 30, choose_orders(days), 2)) {
     EXPECT_EQ(day.residuals.rows(), 8);
     EXPECT_EQ(day.residuals.cols(), steps - 1);
     skill += day.skill;
@@ -95,10 +140,21 @@ TEST(FitSeasonal, LearnsThatALevelStays) {
   EXPECT_LT(skill.forecast.sum(), 0.9 * skill.last_value.sum());
 }
 
-TEST(FitSeasonal, TakesSeriesWithoutCounts) {
-  std::vector<CountDay> days(3, {DayKind::sunday, Eigen::MatrixXd::Zero(2, steps)});
-  const SeasonalModel model = fit_seasonal(days, 30, 2);
-  EXPECT_TRUE(model.own.allFinite());
+TEST(FitSeasonal, FallsBackToTheMeanWhereCountsAreFew) {
+  std::vector<CountDay> days = days_with_levels(3, 2, 1);
+  for (CountDay& day : days) {
+    day.counts.row(0).setZero();
+  }
+  const SeasonalOrders orders = choose_orders(days);
+  EXPECT_EQ(orders.thin, std::vector<int>{0});
+  EXPECT_EQ(orders.region[0], ArimaOrder{});
+  const SeasonalModel model = fit_seasonal(days, 30, orders);
+  EXPECT_TRUE(SeasonalForecaster(model, DayKind::weekday).forecast(0, 2).row(0).isZero());
+}
+
+TEST(FitSeasonal, TakesDaysWithoutCounts) {
+  const std::vector<CountDay> days(3, {DayKind::sunday, Eigen::MatrixXd::Zero(2, steps)});
+  const SeasonalModel model = fit_seasonal(days, 30, choose_orders(days));
   EXPECT_TRUE(SeasonalForecaster(model, DayKind::sunday).forecast(0, 2).isZero());
 }
 

@@ -54,7 +54,8 @@ TEST_F(ModelFile, GivesBackEveryBit) {
   const std::string text = written(model);
   const CityModel back = read_model(file_);
   EXPECT_EQ(back.demand.seasonal.mean, model.demand.seasonal.mean);
-  EXPECT_EQ(back.demand.seasonal.own, model.demand.seasonal.own);
+  EXPECT_EQ(back.demand.seasonal.region[2].ma, model.demand.seasonal.region[2].ma);
+  EXPECT_EQ(back.demand.seasonal.city.order, model.demand.seasonal.city.order);
   EXPECT_EQ(back.demand.errors.covariance.deviation, model.demand.errors.covariance.deviation);
   EXPECT_EQ(back.completions.errors.covariance.factors.cols(), 0);
   EXPECT_EQ(back.periods[1].start, 16 * 60);
@@ -67,11 +68,12 @@ TEST_F(ModelFile, RefusesWhatDoesNotFit) {
   const std::string good = written(testing::small_model());
   expect_refused(good.substr(0, good.size() / 2), "JSON");
   expect_refused(replaced(good, "\"schema\"", "\"city\": \"x\", \"schema\""), "twice");
-  expect_refused(replaced(good, "\"schema\": 1", "\"schema\": 2"), "schema");
+  expect_refused(replaced(good, "\"schema\": 2", "\"schema\": 1"), "schema");
   expect_refused(replaced(good, "\"mean_session_minutes\"", "\"mean_session\""), "mean_session_minutes");
   expect_refused(replaced(good, "\"holidays\"", "\"extra\": 1, \"holidays\""), "extra");
   expect_refused(replaced(good, "\"regions\": 3", "\"regions\": 4"), "4 lists");
-  expect_refused(replaced(good, "\"leads\": 2", "\"leads\": 3"), "own");
+  expect_refused(replaced(good, "\"leads\": 2", "\"leads\": 3"), "deviation");
+  expect_refused(replaced(good, "\"ar\":[0.8]", "\"ar\":[1.8]"), "dies away");
   expect_refused(replaced(good, "4.0", "-4.0"), "mean.");
   expect_refused(replaced(good, "4.0", "\"4\""), "number");
   expect_refused(replaced(good, "\"vacant_to_vacant\":[[0.5", "\"vacant_to_vacant\":[[0.4"), "sum to one");

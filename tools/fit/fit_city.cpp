@@ -3,6 +3,7 @@
 #include "common/error.hpp"
 #include "tools/fit/training_day.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
@@ -48,10 +49,9 @@ std::vector<CountDay> pickups(const City& city, const std::vector<DemandDay>& da
 }
 
 Skill total_skill(const std::vector<HeldOutDay>& days) {
-  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(leads);
-  Skill sum{zero, zero, zero};
-  for (const HeldOutDay& day : days) {
-    sum += day.skill;
+  Skill sum = days.at(0).skill;
+  for (std::size_t d = 1; d < days.size(); ++d) {
+    sum += days[d].skill;
   }
   return sum;
 }
@@ -65,11 +65,19 @@ struct FittedSeries {
   SeriesModel model;
   Eigen::MatrixXd residuals;  ///< of `regions`' rows and all others
   Skill skill;
+  SeasonalOrders orders;
 };
+
+void round(ArimaModel& arma) {
+  arma.ar = rounded(arma.ar);
+  arma.ma = rounded(arma.ma);
+  arma.variance = std::round(arma.variance * 1e6) / 1e6;
+}
 
 FittedSeries fit_series(const std::vector<CountDay>& days, int step_minutes, const std::vector<int>& regions) {
   FittedSeries out;
-  const std::vector<HeldOutDay> held_out = leave_one_day_out(days, step_minutes, leads);
+  out.orders = choose_orders(days);
+  const std::vector<HeldOutDay> held_out = leave_one_day_out(days, step_minutes, out.orders, leads);
   out.skill = total_skill(held_out);
   const Eigen::Index per_day = held_out[0].residuals.cols();
   out.residuals.resize(held_out[0].residuals.rows(), per_day * static_cast<Eigen::Index>(held_out.size()));
@@ -77,12 +85,12 @@ FittedSeries fit_series(const std::vector<CountDay>& days, int step_minutes, con
     out.residuals.middleCols(per_day * static_cast<Eigen::Index>(d), per_day) = held_out[d].residuals;
   }
   SeasonalModel& seasonal = out.model.seasonal;
-  seasonal = fit_seasonal(days, step_minutes, leads);
+  seasonal = fit_seasonal(days, step_minutes, out.orders);
   for (Eigen::MatrixXd& mean : seasonal.mean) {
     mean = rounded(mean);
   }
-  seasonal.own = rounded(seasonal.own);
-  seasonal.city = rounded(seasonal.city);
+  round(seasonal.city);
+  std::ranges::for_each(seasonal.region, round);
   ResidualLaw& errors = out.model.errors;
   errors = fit_residual_law(out.residuals, leads, regions, {});
   errors.covariance.deviation = rounded(errors.covariance.deviation);
@@ -127,8 +135,9 @@ CityModel model_of_demand(const City& city, const std::vector<DemandDay>& days, 
   // `greedy` knows neither completions nor transitions; these stand in until the plant has played.
   const Eigen::Index n = city.size();
   const auto steps = static_cast<Eigen::Index>(days[0].steps.size());
-  const CountDay none{DayKind::weekday, Eigen::MatrixXd::Zero(n, steps)};
-  model.completions.seasonal = fit_seasonal({none, none}, city.step_minutes, leads);
+  model.completions.seasonal.mean.fill(Eigen::MatrixXd::Zero(n, steps));
+  model.completions.seasonal.step_minutes = city.step_minutes;
+  model.completions.seasonal.region.resize(city.regions.size());
   model.completions.errors = fit_residual_law(Eigen::MatrixXd::Zero(n * leads, 2), leads, {}, {});
   const TransitionCounts unseen(city.size());
   model.periods = {{period_starts[0], transitions_of(unseen, unseen, 1.0)}};
@@ -211,9 +220,10 @@ CityFit fit_city(const City& city, const std::function<void(const std::string&)>
   }
   fit.demand = demand.skill;
   fit.completions = charged.skill;
+  const SeasonalMeans rival = seasonal_means(pickups(city, days));
   std::vector<HeldOutDay> tested;
   for (const CountDay& day : pickups(city, demand_of(city, city.test_days))) {
-    tested.push_back(hold_out(demand.model.seasonal, day));
+    tested.push_back(hold_out(demand.model.seasonal, rival, day, leads));
   }
   fit.demand_test = total_skill(tested);
   return fit;

@@ -20,10 +20,10 @@ void print_skill(const char* what, const Skill& skill) {
     return;
   }
   std::printf("%-34s", what);
-  for (Eigen::Index lead = 0; lead < skill.forecast.size(); ++lead) {
+  for (Eigen::Index lead = 0; lead < skill.forecast.cols(); ++lead) {
     std::printf("   step %d: %5.1f %% of seasonal mean's, %5.1f %% of last value's", static_cast<int>(lead) + 1,
-                100.0 * skill.forecast(lead) / skill.seasonal_mean(lead),
-                100.0 * skill.forecast(lead) / skill.last_value(lead));
+                100.0 * skill.forecast.col(lead).sum() / skill.seasonal_mean.col(lead).sum(),
+                100.0 * skill.forecast.col(lead).sum() / skill.last_value.col(lead).sum());
   }
   std::printf("\n");
 }

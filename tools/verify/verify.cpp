@@ -46,7 +46,7 @@ MomentSet random_set(RandomStream& random, Eigen::Index size) {
 // The set around the forecast of two steps from `minute` of a working day, restricted to its busiest entries.
 MomentSet fitted_set(const SeriesModel& series, int minute, Eigen::Index entries) {
   const SeasonalForecaster forecaster(series.seasonal, DayKind::weekday);
-  const int tau = std::min(2, series.seasonal.leads());
+  const int tau = std::min(2, series.errors.leads());
   const MomentSet whole = moment_set(series.errors, forecaster.forecast(minute, tau), forecaster.scale(minute, tau));
   std::vector<Eigen::Index> busiest(static_cast<std::size_t>(whole.mean.size()));
   std::iota(busiest.begin(), busiest.end(), 0);

@@ -19,8 +19,7 @@ namespace evbal::test {
 inline SeriesModel flat_series(int regions, double mean, int leads) {
   SeriesModel series;
   series.seasonal.mean.fill(Eigen::MatrixXd::Constant(regions, 38, mean));
-  series.seasonal.own = Eigen::MatrixXd::Constant(seasonal_lags, leads, 0.1);
-  series.seasonal.city = Eigen::MatrixXd::Constant(seasonal_lags, leads, 0.1);
+  series.seasonal.region.resize(static_cast<std::size_t>(regions));
   series.errors.covariance.deviation = Eigen::VectorXd::LinSpaced(regions * leads, 0.5, 1.5);
   series.errors.covariance.factors = Eigen::MatrixXd::Constant(regions * leads, 1, 0.3);
   series.errors.thresholds.assign(static_cast<std::size_t>(leads), {0.1, 1.2});
