@@ -62,7 +62,7 @@ class SweepFolder {
 std::string label(const SweptDay& day) {
   std::string text = day.variant;
   for (const auto& [path, value] : day.settings) {
-    text += " " + path + "=" + value;
+    text.append(" ").append(path).append("=").append(value);
   }
   return text + (day.faults.empty() ? "" : " " + day.faults) + " " + day.day + " seed " + std::to_string(day.seed);
 }

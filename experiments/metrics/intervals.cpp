@@ -28,6 +28,7 @@ std::vector<double> day_means(const std::vector<DayValue>& values) {
     by_day[day].push_back(value);
   }
   std::vector<double> means;
+  means.reserve(by_day.size());
   for (const auto& [day, of_day] : by_day) {
     means.push_back(mean(of_day));
   }

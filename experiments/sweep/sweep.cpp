@@ -34,7 +34,7 @@ struct NamedFaults {
 
 /// As a name in files and on the command line.
 std::string plain_name(const YamlValue& value) {
-  const std::string name = value.text();
+  std::string name = value.text();
   const auto plain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.'; };
   if (name.empty() || !std::all_of(name.begin(), name.end(), plain)) {
     throw value.error("`" + name + "` is no name; write letters, digits, `-`, `_` and `.` only");

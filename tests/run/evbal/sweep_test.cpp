@@ -54,6 +54,12 @@ TEST(Sweep, GoesOnAfterAKillAndGivesTheSameBytesForAnyNumberOfJobs) {
   EXPECT_EQ(lines_of(days), 13) << days;
   EXPECT_TRUE(text_of(line.path() / "killed" / "days.csv") == days);
   EXPECT_TRUE(text_of(line.path() / "killed" / "steps.csv") == text_of(line.path() / "whole" / "steps.csv"));
+
+  const Ended compared = line.evbal("compare whole --against ratio");
+  EXPECT_EQ(compared.status, 0) << compared.err;
+  EXPECT_NE(compared.out.find("turnover  balancing.p_shortage=24 "), std::string::npos) << compared.out;
+  EXPECT_EQ(lines_of(compared.out), 4) << compared.out;
+  EXPECT_EQ(line.evbal("compare whole --against robust").status, 2);
 }
 
 TEST(Sweep, RefusesWhatIsWrongBeforeAnyWork) {
