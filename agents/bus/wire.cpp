@@ -101,6 +101,12 @@ void pairs(const Copy& copy, Is<Move> auto& own, auto& wire) {
 }
 
 template <class Copy>
+void pairs(const Copy& copy, Is<Rejection> auto& own, auto& wire) {
+  copy(own.region, wire.region());
+  copy(own.reason, wire.reason());
+}
+
+template <class Copy>
 void pairs(const Copy& copy, Is<Provenance> auto& own, auto& wire) {
   copy(own.controller, wire.controller());
   copy(own.engine, wire.engine());
@@ -111,6 +117,7 @@ void pairs(const Copy& copy, Is<Provenance> auto& own, auto& wire) {
   copy(own.gap, wire.gap());
   copy(own.max_violation, wire.max_violation());
   copy(own.iterations, wire.iterations());
+  copy(own.rejected, wire.rejected());
 }
 
 template <class Copy>

@@ -108,6 +108,12 @@ void fields(Visit&& visit, Is<Move> auto& m) {
 }
 
 template <class Visit>
+void fields(Visit&& visit, Is<Rejection> auto& m) {
+  visit("region", m.region);
+  visit("reason", m.reason);
+}
+
+template <class Visit>
 void fields(Visit&& visit, Is<Provenance> auto& m) {
   visit("controller", m.controller);
   visit("engine", m.engine);
@@ -118,6 +124,7 @@ void fields(Visit&& visit, Is<Provenance> auto& m) {
   visit("gap", m.gap);
   visit("max_violation", m.max_violation);
   visit("iterations", m.iterations);
+  rare(visit, "rejected", m.rejected, m.rejected.empty());
 }
 
 template <class Visit>

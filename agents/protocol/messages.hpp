@@ -178,6 +178,14 @@ enum class FallbackLevel : std::uint8_t {
   hold = 3,     ///< nobody moves
 };
 
+/// A report that was not believed, or did not come.
+struct Rejection {
+  std::int32_t region = 0;  ///< that it says it is of
+  std::string reason;
+
+  bool operator==(const Rejection&) const = default;
+};
+
 /// What made a plan and how good it is.
 struct Provenance {
   std::string controller;
@@ -189,6 +197,7 @@ struct Provenance {
   double gap = 0.0;            ///< (objective - lower_bound) / max(1, |objective|)
   double max_violation = 0.0;  ///< of any constraint, recomputed from the model
   std::int32_t iterations = 0;
+  std::vector<Rejection> rejected{};  ///< by region; these regions stand in the plan as the coordinator estimates them
 };
 
 /// Coordinator to all.

@@ -8,13 +8,27 @@
 #include "coordinator/forecast/foreknowledge.hpp"
 #include "coordinator/planning/planning_data.hpp"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <utility>
 
 namespace evbal {
 namespace {
 
 constexpr int demand_samples = 50;
+
+/// What a coordinator cannot find out again from the reports of the day.
+struct Memory {
+  LadderMemory ladder;
+  std::vector<Move> moves;  ///< of the last plan
+};
+
+template <class Visit>
+void fields(Visit&& visit, Is<Memory> auto& m) {
+  visit("ladder", m.ladder);
+  visit("moves", m.moves);
+}
 
 Balancer engine_balancer(const PlanningSettings& settings) {
   return [parameters = settings.balancing, engine = settings.engine](const std::string& controller,
@@ -41,40 +55,35 @@ void check_fit(const City& city, const DayClock& clock, const PlanningSettings& 
   }
 }
 
-/// The reports in the order of their regions.
-std::vector<Report> by_region(int tick, const std::vector<Report>& reports, int regions) {
-  const auto refuse = [&](int region, const std::string& what) {
-    throw run_failed("tick " + std::to_string(tick) + ": the report of region " + std::to_string(region) + " " + what);
-  };
-  std::vector<const Report*> found(static_cast<std::size_t>(regions), nullptr);
-  for (const Report& report : reports) {
-    if (report.region < 0 || report.region >= regions) {
-      refuse(report.region, "is of no region of this city");
-    }
-    if (report.tick != tick) {
-      refuse(report.region, "is of tick " + std::to_string(report.tick));
-    }
-    if (std::exchange(found[static_cast<std::size_t>(report.region)], &report) != nullptr) {
-      refuse(report.region, "came twice");
-    }
-  }
-  std::vector<Report> ordered;
-  ordered.reserve(found.size());
-  for (std::size_t region = 0; region < found.size(); ++region) {
-    if (found[region] == nullptr) {
-      refuse(static_cast<int>(region), "is missing");
-    }
-    ordered.push_back(*found[region]);
-  }
-  return ordered;
-}
-
 Eigen::VectorXd each(const std::vector<Report>& reports, std::int32_t Report::*field) {
   Eigen::VectorXd out(static_cast<Eigen::Index>(reports.size()));
   for (const Report& report : reports) {
     out(report.region) = report.*field;
   }
   return out;
+}
+
+/// `counts` where a report was believed, elsewhere what `forecaster` expected of that share of a step after `before`:
+/// what was not heard of teaches it nothing.
+Eigen::VectorXd or_forecast(Eigen::VectorXd counts, const std::vector<std::optional<Report>>& good,
+                            const Forecaster& forecaster, int before, double share) {
+  if (std::ranges::all_of(good, [](const auto& report) { return report.has_value(); })) {
+    return counts;
+  }
+  const Eigen::VectorXd expected = share * forecaster.forecast(before, 1);
+  for (Eigen::Index i = 0; i < counts.size(); ++i) {
+    counts(i) = good[static_cast<std::size_t>(i)] ? counts(i) : expected(i);
+  }
+  return counts;
+}
+
+/// A vehicle too few counts as much as a passenger too many.
+void grow(MomentSet& demand, const Eigen::VectorXd& variance) {
+  const Eigen::Index n = variance.size();
+  for (Eigen::Index i = 0; i < demand.deviation.size(); ++i) {
+    const double more = variance(i % n);
+    demand.deviation(i) = more > 0.0 ? std::hypot(demand.deviation(i), std::sqrt(more)) : demand.deviation(i);
+  }
 }
 
 void add_moves(std::vector<Move>& moves, Errand errand, const std::vector<Flow>& flows, const Eigen::VectorXd& have) {
@@ -99,9 +108,14 @@ Coordinator::Coordinator(const City& city, const DayClock& clock, const std::str
       session_quantiles_(city.charging.session_quantiles),
       same_step_dropoffs_(evbal::same_step_dropoffs(city, clock.step)),
       has_points_((city.points().array() > 0).cast<double>()),
+      bounds_{city.fleet.vehicles, {}, clock},
+      fleet_(
+          {city.points().cast<double>(), city.minutes, static_cast<double>(clock.step), model_.mean_session_minutes}),
       told_(announced_demand({}, model_.regions())),
       ladder_(settings_.controller, std::move(balancer)) {
   check_fit(city, clock_, settings_, model_);
+  const Eigen::VectorXi points = city.points();
+  bounds_.points.assign(points.begin(), points.end());
   const DayKind kind = model_.kind(date);
   const int start = clock_.start - model_.day_start;
   demand_ = std::make_unique<SeasonalForecaster>(model_.demand.seasonal, kind, start);
@@ -122,6 +136,7 @@ PlanningData Coordinator::data(int minute, const std::vector<Report>& reports) c
   data.points = points_ahead(reports, tau);
   data.demand = moment_set(model_.demand.errors, told_.as_announced(demand_->forecast(minute, tau), clock_.step),
                            demand_->scale(minute, tau));
+  grow(data.demand, fleet_.variance());
   data.demand_samples = gaussian_samples(data.demand, demand_samples);
   data.completions =
       moment_set(model_.completions.errors, has_points_.asDiagonal() * completions_->forecast(minute, tau),
@@ -136,40 +151,47 @@ PlanningData Coordinator::data(int minute, const std::vector<Report>& reports) c
   return data;
 }
 
-/// Takes what the reports count; gives them back in the order of their regions.
 std::vector<Report> Coordinator::observe(const Tick& tick, const std::vector<Report>& reports) {
   assert(clock_.plan_due(tick.tick));
-  std::vector<Report> ordered = by_region(tick.tick, reports, model_.regions());
   const int minute = clock_.minute_of(tick.tick);
-  demand_->observe(minute, told_.as_usual(each(ordered, &Report::demand), minute - told_at_));
-  completions_->observe(minute, each(ordered, &Report::completions));
+  const int before = clock_.minute_of(last_.tick);
+  CheckedReports checked = check_reports(reports, tick.tick, last_.tick, bounds_);
+  fleet_.advance(minute, last_.moves, model_.transitions_at(clock_.start + before));
+  std::vector<Report> believed = fleet_.settle(tick.tick, checked.good);
+  const Eigen::VectorXd demand = told_.as_usual(each(believed, &Report::demand), minute - before);
+  const double share = static_cast<double>(minute - before) / clock_.step;
+  demand_->observe(minute, or_forecast(demand, checked.good, *demand_, before, share));
+  completions_->observe(minute,
+                        or_forecast(each(believed, &Report::completions), checked.good, *completions_, before, share));
   told_ = announced_demand(settings_.foresees() ? std::vector<Effect>{} : tick.effects, model_.regions());
-  told_at_ = minute;
-  return ordered;
+  last_ = {};
+  last_.tick = tick.tick;
+  last_.provenance.rejected = std::move(checked.rejected);
+  return believed;
 }
 
 std::string Coordinator::memory() const {
-  return to_bytes(ladder_.memory());
+  return to_bytes(Memory{ladder_.memory(), last_.moves});
 }
 
 void Coordinator::recall(const Tick& tick, const std::vector<Report>& reports, const std::string& memory) {
   observe(tick, reports);
-  ladder_.recall(from_bytes<LadderMemory>(memory));
+  auto known = from_bytes<Memory>(memory);
+  ladder_.recall(std::move(known.ladder));
+  last_.moves = std::move(known.moves);
 }
 
 Plan Coordinator::plan(const Tick& tick, const std::vector<Report>& reports) {
   const PlanningData known = data(clock_.minute_of(tick.tick), observe(tick, reports));
   Decision decision = ladder_.decide(known);
-
-  Plan plan;
-  plan.tick = tick.tick;
-  add_moves(plan.moves, Errand::rebalance, decision.vacant, known.state.vacant);
-  add_moves(plan.moves, Errand::charge, decision.low_battery, known.state.low_battery);
-  plan.provenance = std::move(decision.provenance);
-  if (plan.provenance.iterations > 0) {
-    plan.provenance.engine = settings_.engine.name;
+  add_moves(last_.moves, Errand::rebalance, decision.vacant, known.state.vacant);
+  add_moves(last_.moves, Errand::charge, decision.low_battery, known.state.low_battery);
+  decision.provenance.rejected = std::move(last_.provenance.rejected);
+  last_.provenance = std::move(decision.provenance);
+  if (last_.provenance.iterations > 0) {
+    last_.provenance.engine = settings_.engine.name;
   }
-  return plan;
+  return last_;
 }
 
 }  // namespace evbal

@@ -6,7 +6,9 @@
 #include "coordinator/forecast/forecaster.hpp"
 #include "coordinator/planning/announced.hpp"
 #include "coordinator/planning/city_model.hpp"
+#include "coordinator/planning/fleet_estimate.hpp"
 #include "coordinator/planning/ladder.hpp"
+#include "coordinator/planning/report_check.hpp"
 #include "coordinator/planning/settings.hpp"
 
 #include <memory>
@@ -16,6 +18,8 @@
 namespace evbal {
 
 /// From reports to a plan, over a horizon that recedes: forecast, uncertainty set, balancing problem, whole vehicles.
+/// Reports are not trusted: one that cannot be true, is not of now or does not come is rejected, the plan says why, and
+/// an estimate stands in for it.
 class Coordinator {
  public:
   /// `city` with the scenario's overrides, `date` as "2008-06-03", `model` fitted to this city. Throws Error{bad_input}
@@ -31,9 +35,8 @@ class Coordinator {
   /// the `oracle`.
   void foresee(const Eigen::MatrixXd& demand_by_tick);
 
-  /// The plan of `tick`, which is due; `reports` are those of all regions, in any order. To be called for every tick at
+  /// The plan of `tick`, which is due; `reports` are what came, in any order. To be called for every tick at
   /// which a plan is due, in turn: forecasts live on it. The Origin is left to the process that publishes the plan.
-  /// Throws Error{run_failed} if a report is missing, repeated or of another tick.
   Plan plan(const Tick& tick, const std::vector<Report>& reports);
 
   /// What later plans depend on beside the reports, as bytes.
@@ -44,6 +47,7 @@ class Coordinator {
   void recall(const Tick& tick, const std::vector<Report>& reports, const std::string& memory);
 
  private:
+  /// Takes what the reports say, as far as they are believed; gives them, or estimates, by region.
   std::vector<Report> observe(const Tick& tick, const std::vector<Report>& reports);
   PlanningData data(int minute, const std::vector<Report>& reports) const;
 
@@ -57,8 +61,10 @@ class Coordinator {
   Eigen::VectorXd has_points_;  ///< 1 where the city has points, working or not, else 0
   std::unique_ptr<Forecaster> demand_;
   std::unique_ptr<Forecaster> completions_;
-  AnnouncedDemand told_;  ///< with the tick's plan
-  int told_at_ = 0;       ///< minute
+  ReportBounds bounds_;
+  FleetEstimate fleet_;
+  AnnouncedDemand told_;  ///< with the last plan
+  Plan last_;
   Ladder ladder_;
 };
 

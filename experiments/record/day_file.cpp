@@ -57,6 +57,7 @@ struct DayFile::Tables {
         reports(database, "reports", row_of({}, Report{})),
         plans(database, "plans", row_of({}, Plan{})),
         moves(database, "moves", row_of(tick_key(0, 0), Move{})),
+        rejections(database, "rejections", row_of(tick_key(0, 0), Rejection{})),
         departures(database, "departures", row_of({}, Departures{})),
         vehicles(database, "vehicles", row_of(region_key(0, 0, 0), Departure{})),
         fates(database, "fates", row_of(region_key(0, 0, 0), Fate{})),
@@ -72,6 +73,7 @@ struct DayFile::Tables {
   Table reports;
   Table plans;
   Table moves;
+  Table rejections;
   Table departures;
   Table vehicles;
   Table fates;
@@ -107,6 +109,10 @@ void DayFile::add(const TickRecord& record) {
     tables_->plans.add(row_of({}, *record.exchange.plan));
     for (std::size_t i = 0; i < record.exchange.plan->moves.size(); ++i) {
       tables_->moves.add(row_of(tick_key(tick, i), record.exchange.plan->moves[i]));
+    }
+    const std::vector<Rejection>& rejected = record.exchange.plan->provenance.rejected;
+    for (std::size_t i = 0; i < rejected.size(); ++i) {
+      tables_->rejections.add(row_of(tick_key(tick, i), rejected[i]));
     }
   }
   const auto add_all = [tick](Table& table, int region, const auto& messages) {

@@ -30,12 +30,12 @@ struct RequestedFault {
 ///     reports     tick, region, vacant, ..., bound, ...      bound: "minute:errand:count" of the cars on their way
 ///     plans       tick, provenance_controller, ...
 ///     moves       tick, seq, from_region, to_region, count, errand      what plans ask for
+///     rejections  tick, seq, region, reason                  reports that the plan was not made from
 ///     departures  tick, region, refused, demand, ...         what became of the region in the tick
 ///     vehicles    tick, region, seq, minute, to_region, errand, vehicle_id, km, ...      who set off
 ///     fates       tick, region, seq, appeared, waited, served, ...      passengers
-///     events      tick, seq, kind, what                      a fault begins or ends, a plan falls back, a process
-///     ended
-///                                                            unasked or is back
+///     events      tick, seq, kind, what                      a fault begins or ends, a plan falls back, a report is
+///                                                            rejected, a process ended unasked or is back
 ///
 /// `seq` counts the like entries of one message. Columns `origin_process_id` and `origin_seconds` of
 /// injector, reports, plans and departures name the writer of a message and its CPU seconds. They, and events of the

@@ -123,6 +123,12 @@ void RunRecord::note_events(const TickRecord& record) {
     const Provenance& provenance = record.exchange.plan->provenance;
     file_.event(record.tick.tick, "fallback", std::string(word(provenance.fallback)) + ": " + provenance.reason);
   }
+  if (record.exchange.plan) {
+    for (const Rejection& rejection : record.exchange.plan->provenance.rejected) {
+      file_.event(record.tick.tick, "report rejected",
+                  "region " + std::to_string(rejection.region) + ": " + rejection.reason);
+    }
+  }
   for (const auto& incident : record.exchange.incidents) {  // last: a replay has the others alone, numbered alike
     file_.event(record.tick.tick, incident.kind, incident.what);
   }

@@ -11,6 +11,7 @@ inline City small_city() {
   city.name = "small";
   city.day_start = 5 * 60;
   city.regions.resize(3);
+  city.fleet.vehicles = 100;
   city.stations = {{"a", 0, 2, {}}, {"b", 1, 1, {}}};
   city.km = (Eigen::MatrixXd(3, 3) << 1, 5, 10, 5, 1, 5, 10, 5, 1).finished();
   city.minutes = 2.0 * city.km;

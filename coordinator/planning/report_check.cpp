@@ -1,0 +1,113 @@
+#include "coordinator/planning/report_check.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <utility>
+
+namespace evbal {
+namespace {
+
+constexpr std::int64_t most_passengers_a_minute = 1000;  // in one region, which no city has
+
+struct Count {
+  const char* name;
+  std::int32_t Report::*field;
+};
+constexpr std::array<Count, 7> counts{{{"vacant", &Report::vacant},
+                                       {"low_battery", &Report::low_battery},
+                                       {"plugged", &Report::plugged},
+                                       {"points", &Report::points},
+                                       {"waiting", &Report::waiting},
+                                       {"demand", &Report::demand},
+                                       {"completions", &Report::completions}}};
+
+std::string more(const std::string& what, std::int64_t is, const std::string& limit, std::int64_t at_most) {
+  return is <= at_most ? "" : what + " " + std::to_string(is) + ", " + limit + " " + std::to_string(at_most);
+}
+
+std::int64_t vehicles_bound(const Report& report) {
+  std::int64_t vehicles = 0;
+  for (const UnderWay& cars : report.bound) {
+    vehicles += cars.count;
+  }
+  return vehicles;
+}
+
+std::string complaint_about_lists(const Report& report, int minute) {
+  const auto& since = report.plugged_since;
+  if (static_cast<std::int64_t>(since.size()) != report.plugged) {
+    return "plugged " + std::to_string(report.plugged) + ", plugged_since " + std::to_string(since.size());
+  }
+  const bool in_order =
+      std::ranges::is_sorted(since) && (since.empty() || (since.front() >= 0 && since.back() <= minute));
+  if (!in_order) {
+    return "plugged_since is not in order or not of the day";
+  }
+  for (const UnderWay& cars : report.bound) {
+    if (cars.region != report.region || cars.count < 1 || cars.minute < minute || cars.errand > Errand::charge) {
+      return "bound has cars to elsewhere, none, or of the past";
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string complaint(const Report& report, int tick, int last, const ReportBounds& bounds) {
+  if (report.tick != tick) {
+    return "is of tick " + std::to_string(report.tick);
+  }
+  for (const Count& count : counts) {
+    if (report.*count.field < 0) {
+      return std::string(count.name) + " " + std::to_string(report.*count.field);
+    }
+  }
+  const int minute = bounds.clock.minute_of(tick);
+  const std::int64_t minutes = minute - bounds.clock.minute_of(last);
+  const std::int64_t installed = bounds.points[static_cast<std::size_t>(report.region)];
+  const std::int64_t here = std::int64_t{report.vacant} + report.low_battery + report.plugged;
+  const std::int64_t demand = std::int64_t{report.demand} + report.waiting;
+  for (std::string found :
+       {more("points", report.points, "installed", installed), more("plugged", report.plugged, "points", report.points),
+        more("completions", report.completions, "possible", installed * minutes),
+        more("demand and waiting", demand, "possible", most_passengers_a_minute * bounds.clock.minutes()),
+        complaint_about_lists(report, minute),
+        more("vehicles", here + vehicles_bound(report), "fleet", bounds.vehicles)}) {
+    if (!found.empty()) {
+      return found;
+    }
+  }
+  return "";
+}
+
+CheckedReports check_reports(const std::vector<Report>& reports, int tick, int last, const ReportBounds& bounds) {
+  const auto regions = static_cast<int>(bounds.points.size());
+  CheckedReports checked;
+  checked.good.resize(bounds.points.size());
+  std::vector<bool> heard(bounds.points.size());
+  const auto reject = [&](int region, std::string reason) { checked.rejected.push_back({region, std::move(reason)}); };
+  for (const Report& report : reports) {
+    if (report.region < 0 || report.region >= regions) {
+      reject(report.region, "is no region of this city");
+      continue;
+    }
+    const auto region = static_cast<std::size_t>(report.region);
+    std::string why_not = checked.good[region] ? "came twice" : complaint(report, tick, last, bounds);
+    if (why_not.empty()) {
+      checked.good[region] = report;
+    } else {
+      reject(report.region, std::move(why_not));
+    }
+    heard[region] = true;
+  }
+  for (int region = 0; region < regions; ++region) {
+    if (!heard[static_cast<std::size_t>(region)]) {
+      reject(region, "is missing");
+    }
+  }
+  std::ranges::stable_sort(checked.rejected, {}, &Rejection::region);
+  return checked;
+}
+
+}  // namespace evbal
