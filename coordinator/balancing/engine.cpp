@@ -1,5 +1,6 @@
 #include "coordinator/balancing/engine.hpp"
 
+#include "coordinator/balancing/certificate.hpp"
 #include "coordinator/balancing/cuts_engine.hpp"
 #include "coordinator/balancing/ipopt_engine.hpp"
 
@@ -21,6 +22,9 @@ constexpr std::array engines = {Engine{"ipopt", solve_with_ipopt}, Engine{"cuts"
 }  // namespace
 
 Solution solve(const ConvexProgram& program, const EngineSettings& settings) {
+  if (settings.fails) {
+    return {{}, refusal("the engine fails, by a fault")};
+  }
   const auto* engine = std::ranges::find_if(engines, [&](const auto& e) { return e.name == settings.name; });
   assert(engine != engines.end());
   return engine->solve(program, settings);

@@ -15,6 +15,7 @@ namespace evbal {
 struct EngineSettings {
   std::string name = "ipopt";
   int max_iterations = 300;  ///< of the engine's own kind: Newton steps of `ipopt`, linear programs of `cuts`
+  bool fails = false;        ///< whatever is to be solved, as a fault will have it
 };
 
 struct Solution {

@@ -31,8 +31,8 @@ void fields(Visit&& visit, Is<Memory> auto& m) {
 }
 
 Balancer engine_balancer(const PlanningSettings& settings) {
-  return [parameters = settings.balancing, engine = settings.engine](const std::string& controller,
-                                                                     const PlanningData& data) {
+  return [parameters = settings.balancing](const std::string& controller, const PlanningData& data,
+                                           const EngineSettings& engine) {
     return balance(controller, parameters, data, engine);
   };
 }
@@ -75,6 +75,18 @@ Eigen::VectorXd or_forecast(Eigen::VectorXd counts, const std::vector<std::optio
     counts(i) = good[static_cast<std::size_t>(i)] ? counts(i) : expected(i);
   }
   return counts;
+}
+
+/// The engine as the solver's faults leave it.
+EngineSettings under_faults(EngineSettings engine, const std::vector<Effect>& effects) {
+  for (const Effect& effect : effects) {
+    if (effect.type == EffectType::solver_fail) {
+      engine.fails = true;
+    } else if (effect.type == EffectType::solver_starve) {
+      engine.max_iterations = std::min(engine.max_iterations, static_cast<int>(std::lround(effect.magnitude)));
+    }
+  }
+  return engine;
 }
 
 /// A vehicle too few counts as much as a passenger too many.
@@ -183,7 +195,7 @@ void Coordinator::recall(const Tick& tick, const std::vector<Report>& reports, c
 
 Plan Coordinator::plan(const Tick& tick, const std::vector<Report>& reports) {
   const PlanningData known = data(clock_.minute_of(tick.tick), observe(tick, reports));
-  Decision decision = ladder_.decide(known);
+  Decision decision = ladder_.decide(known, under_faults(settings_.engine, tick.effects));
   add_moves(last_.moves, Errand::rebalance, decision.vacant, known.state.vacant);
   add_moves(last_.moves, Errand::charge, decision.low_battery, known.state.low_battery);
   decision.provenance.rejected = std::move(last_.provenance.rejected);

@@ -29,14 +29,14 @@ std::vector<Flow> step_of(const std::vector<std::vector<Flow>>& steps, std::size
 Ladder::Ladder(std::string controller, Balancer balancer)
     : controller_(std::move(controller)), balancer_(std::move(balancer)) {}
 
-Decision Ladder::decide(const PlanningData& data) {
-  BalancingResult first = balancer_(controller_, data);
+Decision Ladder::decide(const PlanningData& data, const EngineSettings& engine) {
+  BalancingResult first = balancer_(controller_, data, engine);
   if (first.certificate.optimal) {
     return solved(std::move(first), FallbackLevel::none, "");
   }
   std::string reason = controller_ + ": " + first.certificate.why_not;
   if (controller_ != nominal) {
-    BalancingResult second = balancer_(nominal, data);
+    BalancingResult second = balancer_(nominal, data, engine);
     if (second.certificate.optimal) {
       return solved(std::move(second), FallbackLevel::nominal, std::move(reason));
     }

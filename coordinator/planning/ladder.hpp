@@ -1,6 +1,7 @@
 #pragma once
 
 #include "agents/protocol/messages.hpp"
+#include "coordinator/balancing/engine.hpp"
 #include "coordinator/balancing/problem.hpp"
 #include "coordinator/planning/ladder_memory.hpp"
 
@@ -11,8 +12,9 @@
 
 namespace evbal {
 
-/// Solves the balancing problem of a controller.
-using Balancer = std::function<BalancingResult(const std::string& controller, const PlanningData& data)>;
+/// Solves the balancing problem of a controller with an engine.
+using Balancer = std::function<BalancingResult(const std::string& controller, const PlanningData& data,
+                                               const EngineSettings& engine)>;
 
 /// What is to be done now, in parts of vehicles; no region sends more than it has.
 struct Decision {
@@ -27,7 +29,7 @@ class Ladder {
  public:
   Ladder(std::string controller, Balancer balancer);
 
-  Decision decide(const PlanningData& data);
+  Decision decide(const PlanningData& data, const EngineSettings& engine);
 
   const LadderMemory& memory() const { return memory_; }
 

@@ -62,7 +62,7 @@ std::vector<FaultType> all_types() {
        .effect = solver_starve,
        .target = engine,
        .unit = count,
-       .range = {0.0, most_iterations},
+       .range = {1.0, most_iterations},
        .counted = "iterations"},
   };
 }

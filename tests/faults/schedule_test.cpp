@@ -229,7 +229,7 @@ TEST(Schedule, RefusesFieldsThatAreNotOfTheType) {
   refused("network.partition", "target: {}, duration: 1h", "either `regions: [..]`");
   refused("network.partition", "target: {topic: plan, regions: [1]}, duration: 1h", "unknown key `topic`");
   refused("solver.fail", "target: {coordinator: true}, duration: 1h", "unknown key `target`");
-  refused("solver.starve", "magnitude: {iterations: -1}, duration: 1h", "from 0 to");
+  refused("solver.starve", "magnitude: {iterations: 0}, duration: 1h", "from 1 to");
 }
 
 TEST(Schedule, RefusesFaultsThatExcludeEachOther) {

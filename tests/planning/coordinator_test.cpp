@@ -37,7 +37,7 @@ std::vector<Report> quiet_reports(int tick, int vacant) {
 struct Spy {
   std::shared_ptr<PlanningData> seen = std::make_shared<PlanningData>();
 
-  BalancingResult operator()(const std::string&, const PlanningData& data) const {
+  BalancingResult operator()(const std::string&, const PlanningData& data, const EngineSettings&) const {
     *seen = data;
     BalancingResult result;
     result.certificate.optimal = true;
@@ -200,6 +200,33 @@ TEST(Coordinator, EstimatesWhatItDoesNotBelieve) {
   coordinator.plan(at(8), quiet_reports(8, 12));
   EXPECT_EQ(spy.seen->state.vacant(1), 12.0);
   EXPECT_EQ(spy.seen->demand.deviation(1), usual_deviation);
+}
+
+Provenance provenance_under(const Effect& effect, const std::string& controller, const std::string& engine) {
+  PlanningSettings settings;
+  settings.controller = controller;
+  settings.engine.name = engine;
+  Coordinator coordinator(testing::small_city(), {}, date, settings, testing::small_model());
+  Tick tick = at(0);
+  tick.effects = {effect};
+  return coordinator.plan(tick, quiet_reports(0, 5)).provenance;
+}
+
+TEST(Coordinator, GoesDownTheLadderWhenTheEngineFails) {
+  const Effect fail{.type = EffectType::solver_fail, .region = no_region};
+  for (const std::string engine : {"ipopt", "cuts"}) {
+    const Provenance failed = provenance_under(fail, "robust", engine);
+    EXPECT_EQ(failed.fallback, FallbackLevel::hold);
+    EXPECT_NE(failed.reason.find("by a fault"), std::string::npos) << failed.reason;
+    const Effect starve{.type = EffectType::solver_starve, .region = no_region, .magnitude = 1.0};
+    const Provenance starved = provenance_under(starve, "robust", engine);
+    EXPECT_LE(starved.iterations, 1) << engine;
+    EXPECT_EQ(starved.fallback, engine == "ipopt" ? FallbackLevel::hold : FallbackLevel::none)
+        << "one linear program may do";
+    const Effect plenty{.type = EffectType::solver_starve, .region = no_region, .magnitude = 1e6};
+    EXPECT_EQ(provenance_under(plenty, "robust", engine).fallback, FallbackLevel::none);
+  }
+  EXPECT_EQ(provenance_under(fail, "greedy", "ipopt").fallback, FallbackLevel::none) << "solves nothing";
 }
 
 TEST(Coordinator, RefusesAModelThatDoesNotFit) {

@@ -18,7 +18,7 @@ PlanningData with_vacant(double first) {
 struct Scripted {
   std::set<std::string> failing;
 
-  BalancingResult operator()(const std::string& controller, const PlanningData&) const {
+  BalancingResult operator()(const std::string& controller, const PlanningData&, const EngineSettings&) const {
     BalancingResult result;
     result.certificate.optimal = !failing.contains(controller);
     result.certificate.why_not = result.certificate.optimal ? "" : "iteration limit";
@@ -33,7 +33,7 @@ struct Scripted {
 
 TEST(Ladder, UsesTheControllerWhileItSolves) {
   Ladder ladder("robust", Scripted{});
-  const Decision decision = ladder.decide(with_vacant(9));
+  const Decision decision = ladder.decide(with_vacant(9), {});
   EXPECT_EQ(decision.provenance.fallback, FallbackLevel::none);
   EXPECT_EQ(decision.provenance.controller, "robust");
   EXPECT_EQ(decision.provenance.objective, 5.0);
@@ -44,7 +44,7 @@ TEST(Ladder, UsesTheControllerWhileItSolves) {
 
 TEST(Ladder, FallsBackToNominal) {
   Ladder ladder("robust", Scripted{{"robust"}});
-  const Decision decision = ladder.decide(with_vacant(9));
+  const Decision decision = ladder.decide(with_vacant(9), {});
   EXPECT_EQ(decision.provenance.fallback, FallbackLevel::nominal);
   EXPECT_EQ(decision.provenance.reason, "robust: iteration limit");
   EXPECT_EQ(decision.vacant.size(), 1U);
@@ -52,26 +52,25 @@ TEST(Ladder, FallsBackToNominal) {
 
 TEST(Ladder, ThenToTheLastPlansNextStepThenHolds) {
   Scripted script;
-  Ladder ladder("nominal", [&script](const std::string& controller, const PlanningData& data) {
-    return script(controller, data);
-  });
-  EXPECT_EQ(ladder.decide(with_vacant(9)).provenance.fallback, FallbackLevel::none);
+  Ladder ladder("nominal", [&script](const std::string& controller, const PlanningData& data,
+                                     const EngineSettings& engine) { return script(controller, data, engine); });
+  EXPECT_EQ(ladder.decide(with_vacant(9), {}).provenance.fallback, FallbackLevel::none);
   script.failing = {"nominal"};
-  const Decision shifted = ladder.decide(with_vacant(3));
+  const Decision shifted = ladder.decide(with_vacant(3), {});
   EXPECT_EQ(shifted.provenance.fallback, FallbackLevel::shifted);
   ASSERT_EQ(shifted.vacant.size(), 1U);
   EXPECT_EQ(shifted.vacant[0].amount, 3.0) << "no more than the region has";
-  const Decision hold = ladder.decide(with_vacant(3));
+  const Decision hold = ladder.decide(with_vacant(3), {});
   EXPECT_EQ(hold.provenance.fallback, FallbackLevel::hold);
   EXPECT_TRUE(hold.vacant.empty() && hold.low_battery.empty());
   EXPECT_NE(hold.provenance.reason.find("in a row: 2"), std::string::npos) << hold.provenance.reason;
   script.failing.clear();
-  EXPECT_EQ(ladder.decide(with_vacant(9)).provenance.fallback, FallbackLevel::none);
+  EXPECT_EQ(ladder.decide(with_vacant(9), {}).provenance.fallback, FallbackLevel::none);
 }
 
 TEST(Ladder, HoldsWhereNothingWasEverSolved) {
   Ladder ladder("robust", Scripted{{"robust", "nominal"}});
-  const Decision decision = ladder.decide(with_vacant(9));
+  const Decision decision = ladder.decide(with_vacant(9), {});
   EXPECT_EQ(decision.provenance.fallback, FallbackLevel::hold);
   EXPECT_EQ(decision.provenance.reason, "robust: iteration limit; nominal: iteration limit; failures in a row: 1");
 }
