@@ -1,6 +1,7 @@
 #include "experiments/doctor_command.hpp"
 
 #include "common/error.hpp"
+#include "common/installation.hpp"
 
 #include <CLI/CLI.hpp>
 #include <arpa/inet.h>
@@ -99,7 +100,7 @@ int shared_memory_files() {
 
 void examine() {
   Diagnosis diagnosis;
-  const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
+  const fs::path folder = own_folder();
   for (const char* program : {"evbal-agent", "evbal-coordinator", "evbal-faults"}) {
     diagnosis.check(access((folder / program).c_str(), X_OK) == 0, program,
                     "not beside evbal in " + folder.string() + "; build it");

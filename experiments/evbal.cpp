@@ -1,3 +1,4 @@
+#include "agents/region/world.hpp"
 #include "common/error.hpp"
 #include "common/pin.hpp"
 #include "experiments/compare_command.hpp"
@@ -16,6 +17,7 @@
 
 int main(int argc, char** argv) {
   evbal::pin_arithmetic(argv);
+  evbal::share_pack_folders();
   CLI::App app("Multi-agent MPC testbed with fault injection for electric taxi fleets", "evbal");
   app.require_subcommand(1);
   evbal::add_run_command(app);

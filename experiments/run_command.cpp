@@ -90,7 +90,7 @@ std::vector<RunResult> run_all(const Scenario& scenario, const fs::path& folder,
 
 void run(const Arguments& arguments) {
   catch_interrupts();
-  const Scenario scenario = read_scenario(arguments.scenario, arguments.overrides);
+  const Scenario scenario = read_scenario(find_scenario(arguments.scenario), arguments.overrides);
   check_planning(scenario);
   if (!arguments.out.empty()) {
     refuse_used(arguments.out);
@@ -122,7 +122,8 @@ void run(const Arguments& arguments) {
 void add_run_command(CLI::App& app) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("run", "Play the day of a scenario and record it");
-  command->add_option("SCENARIO", arguments->scenario, "Scenario file (YAML)")->required();
+  command->add_option("SCENARIO", arguments->scenario, "Scenario file (YAML), or the name of a shipped one")
+      ->required();
   command->add_option("--controller", arguments->overrides.controller, "One controller in place of the scenario's");
   command->add_option("--day", arguments->overrides.day, "Another day on record, such as 2008-06-04");
   command->add_option("--seed", arguments->overrides.seed, "Another seed")->check([](const std::string& text) {

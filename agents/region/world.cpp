@@ -1,5 +1,7 @@
 #include "agents/region/world.hpp"
 
+#include "common/installation.hpp"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -15,13 +17,20 @@ namespace fs = std::filesystem;
 
 const std::vector<std::string> demand_models = {"recorded", "poisson"};
 
+constexpr const char* pack_variable = "EVBAL_CITIES";
+
 /// Where packs go by name, first hit first.
 std::vector<fs::path> pack_folders() {
   std::vector<fs::path> folders;
-  if (const char* own = std::getenv("EVBAL_CITIES")) {
-    folders.emplace_back(own);
+  if (const char* own = std::getenv(pack_variable)) {
+    std::istringstream list(own);
+    for (std::string folder; std::getline(list, folder, ':');) {
+      folders.emplace_back(folder);
+    }
   }
-  folders.emplace_back(EVBAL_CITIES_DIR);
+  if (auto shipped = shipped_folder("cities"); !shipped.empty()) {
+    folders.push_back(std::move(shipped));
+  }
   return folders;
 }
 
@@ -224,6 +233,14 @@ std::string time_text(int minute_of_day) {
 }
 
 }  // namespace
+
+void share_pack_folders() {
+  std::string list;
+  for (const auto& folder : pack_folders()) {
+    list += (list.empty() ? "" : ":") + fs::absolute(folder).string();
+  }
+  setenv(pack_variable, list.c_str(), 1);
+}
 
 City find_city(const std::string& name) {
   const auto folder = pack_folder(name, {});

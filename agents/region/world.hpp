@@ -24,6 +24,10 @@ struct World {
   std::uint64_t seed = 0;
 };
 
+/// Has the processes that this one starts look for packs where this one does, wherever their programs are: puts the
+/// folders into EVBAL_CITIES, which lists them with colons. To be called before there are threads.
+void share_pack_folders();
+
 /// The city that a command line names: a shipped pack, else a folder. Throws Error{bad_input}.
 City find_city(const std::string& name);
 

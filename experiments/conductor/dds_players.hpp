@@ -1,6 +1,7 @@
 #pragma once
 
 #include "agents/bus/participant.hpp"
+#include "common/installation.hpp"
 #include "experiments/conductor/domain_lock.hpp"
 #include "experiments/conductor/players.hpp"
 #include "experiments/conductor/supervisor.hpp"

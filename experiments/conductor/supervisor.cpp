@@ -65,10 +65,6 @@ class SpawnSetup {
 
 }  // namespace
 
-std::filesystem::path own_folder() {
-  return std::filesystem::read_symlink("/proc/self/exe").parent_path();
-}
-
 Supervisor::Supervisor(std::filesystem::path log_folder) : log_folder_(std::move(log_folder)) {
   std::filesystem::create_directories(log_folder_);
   std::array<int, 2> ends{};

@@ -56,7 +56,4 @@ class Supervisor {
   std::vector<Process> processes_;
 };
 
-/// The folder of the program that is running.
-std::filesystem::path own_folder();
-
 }  // namespace evbal

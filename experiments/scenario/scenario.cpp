@@ -1,5 +1,6 @@
 #include "experiments/scenario/scenario.hpp"
 
+#include "common/installation.hpp"
 #include "coordinator/balancing/controllers.hpp"
 #include "coordinator/balancing/engine.hpp"
 
@@ -110,6 +111,11 @@ std::string indented(const std::string& text) {
 }
 
 }  // namespace
+
+std::filesystem::path find_scenario(const std::filesystem::path& given) {
+  const auto shipped = shipped_folder("scenarios") / given;
+  return !given.has_parent_path() && !exists(given) && exists(shipped) ? shipped : given;
+}
 
 Scenario read_scenario(const std::filesystem::path& file, const Overrides& overrides) {
   return read_scenario(YamlValue::load(file), overrides);

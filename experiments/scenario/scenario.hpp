@@ -37,6 +37,9 @@ struct Overrides {
   std::optional<std::string> engine{};
 };
 
+/// The scenario file that a command line names: a path, or the name of one that is shipped, such as toy.yaml.
+std::filesystem::path find_scenario(const std::filesystem::path& given);
+
 /// Reads a scenario, resolved or not. Throws Error{bad_input} with file, line, reason and what would be right; for an
 /// override the option stands in place of the file.
 Scenario read_scenario(const std::filesystem::path& file, const Overrides& overrides = {});

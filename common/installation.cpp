@@ -1,0 +1,43 @@
+#include "common/installation.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <sstream>
+#include <vector>
+
+namespace evbal {
+
+namespace fs = std::filesystem;
+
+fs::path own_folder() {
+  return fs::read_symlink("/proc/self/exe").parent_path();
+}
+
+fs::path find_program(const std::string& name) {
+  std::vector<fs::path> candidates = {name};
+  if (name.find('/') == std::string::npos) {
+    candidates = {own_folder() / name};
+    const char* path = std::getenv("PATH");
+    std::istringstream folders(path == nullptr ? "" : path);
+    for (std::string folder; std::getline(folders, folder, ':');) {
+      candidates.push_back(fs::path(folder) / name);
+    }
+  }
+  const auto found = std::ranges::find_if(candidates, [](const fs::path& candidate) {
+    return fs::is_regular_file(candidate) && access(candidate.c_str(), X_OK) == 0;
+  });
+  return found == candidates.end() ? fs::path() : *found;
+}
+
+fs::path shipped_folder(const std::string& name) {
+  for (fs::path folder = own_folder(); folder.has_relative_path(); folder = folder.parent_path()) {
+    if (fs::path shipped = folder / "share" / "evbal" / name; fs::is_directory(shipped)) {
+      return shipped;
+    }
+  }
+  return {};
+}
+
+}  // namespace evbal

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace evbal {
+
+/// The folder of the program that is running.
+std::filesystem::path own_folder();
+
+/// The program that a command names: a path, else one beside this program, else one in $PATH. Empty if there is none
+/// that may be executed.
+std::filesystem::path find_program(const std::string& name);
+
+/// What is shipped with the programs, "cities", "scenarios" or "sweeps": the folder share/evbal/NAME that stands nearest above
+/// this program, in an installation as in a build tree; empty if there is none.
+std::filesystem::path shipped_folder(const std::string& name);
+
+}  // namespace evbal
