@@ -70,7 +70,7 @@ Beliefs beliefs(const BalancingParameters& parameters, const PlanningData& data,
   beliefs.c_low = shifted(data.completions, -radius(data.completions, switches.supply), regions);
   beliefs.supply_radius = radius(supply_of(parameters, data), switches.supply);
   beliefs.serving_again = Eigen::MatrixXd::Zero(regions, data.points.cols());
-  if (switches.shortage == Shortage::band) {
+  if (switches.shortage == Shortage::band || switches.shortage == Shortage::own) {
     add_band_demand(data, switches.demand, beliefs);
   } else if (switches.shortage == Shortage::turnover) {
     const Eigen::MatrixXd demand = demand_with_waiting(data);

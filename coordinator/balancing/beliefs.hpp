@@ -2,9 +2,11 @@
 
 #include "coordinator/balancing/discrete_law.hpp"
 #include "coordinator/balancing/problem.hpp"
+#include "coordinator/balancing/program.hpp"
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <vector>
 
 namespace evbal {
@@ -15,6 +17,7 @@ enum class Shortage {
   moments,   ///< the same, in the worst expectation over the ambiguity set
   ratio,     ///< expected passengers per vehicle
   turnover,  ///< passengers for whom neither a vehicle nor one that drops off in time is there, in expectation
+  own,       ///< Switches::own
 };
 
 /// What a controller takes an uncertain quantity to be.
@@ -25,11 +28,18 @@ enum class Belief {
   counts,      ///< negative binomial around the forecast (demand only)
 };
 
+struct Beliefs;
+
+/// Adds a price of shortages to the program: that of step k, where the regions have `S` vehicles after dispatch. The
+/// price must be convex in S.
+using OwnShortage = std::function<void(int k, const Variables& S, const Beliefs& beliefs, ConvexProgram& program)>;
+
 /// How the controllers of one problem differ (model, section 4).
 struct Switches {
   Shortage shortage = Shortage::band;
   Belief demand = Belief::mean;
   Belief supply = Belief::mean;
+  OwnShortage own{};  ///< of Shortage::own, whose demand is not `counts`
 };
 
 /// Forecasts as the balancing problem uses them; matrices are N x tau, laws stand step-major.

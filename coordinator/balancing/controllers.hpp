@@ -1,17 +1,40 @@
 #pragma once
 
+#include "coordinator/balancing/beliefs.hpp"
 #include "coordinator/balancing/engine.hpp"
 #include "coordinator/balancing/problem.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace evbal {
 
-/// Makes one plan over the horizon that `data` spans. `controller` is one of controller_names(), `engine.name` one of
-/// engine_names(). Never throws for what the data hold: data that are no numbers and solves that fail give a
-/// certificate that is not optimal and says why. Controllers that solve nothing (none, greedy) have objective, bound
-/// and gap 0.
+/// Makes one plan from data that are sound.
+using PlanFunction =
+    std::function<BalancingResult(const BalancingParameters&, const PlanningData&, const EngineSettings&)>;
+
+/// A way to plan, by the name that scenarios use.
+struct Controller {
+  std::string name;
+  PlanFunction plan;
+};
+
+/// Solves the balancing problem with these switches.
+PlanFunction optimum(const Switches& switches);
+
+/// Makes a plan of these flows that nothing was solved for: objective, bound and gap are 0.
+BalancingResult by_rule(Dispatch dispatch);
+
+/// The controllers of model, section 4.
+const std::vector<Controller>& controllers();
+
+/// Makes one plan over the horizon that `data` spans; `engine.name` is one of engine_names(). Never throws for what the
+/// data hold: data that are no numbers and solves that fail give a certificate that is not optimal and says why.
+BalancingResult balance(const Controller& controller, const BalancingParameters& parameters, const PlanningData& data,
+                        const EngineSettings& engine);
+
+/// The same by one of controller_names().
 BalancingResult balance(const std::string& controller, const BalancingParameters& parameters, const PlanningData& data,
                         const EngineSettings& engine);
 

@@ -36,7 +36,7 @@ class Formulator {
       : p_(parameters),
         data_(data),
         beliefs_(beliefs(parameters, data, switches)),
-        shortage_(parameters, data, switches.shortage, beliefs_, program_),
+        shortage_(parameters, data, switches, beliefs_, program_),
         size_(static_cast<int>(data.km.rows())),
         horizon_(static_cast<int>(data.points.cols())) {
     for (int i = 0; i < size_; ++i) {

@@ -6,17 +6,17 @@
 
 namespace evbal {
 
-ShortageTerms::ShortageTerms(const BalancingParameters& parameters, const PlanningData& data, Shortage shortage,
+ShortageTerms::ShortageTerms(const BalancingParameters& parameters, const PlanningData& data, const Switches& switches,
                              const Beliefs& beliefs, ConvexProgram& program)
     : p_(parameters),
       data_(data),
-      shortage_(shortage),
+      switches_(switches),
       beliefs_(beliefs),
       program_(program),
       rho_(demand_per_vehicle(data, beliefs)) {}
 
 void ShortageTerms::add(int k, const Variables& S) {
-  switch (shortage_) {
+  switch (switches_.shortage) {
     case Shortage::band:
       return band(k, S);
     case Shortage::moments:
@@ -25,6 +25,8 @@ void ShortageTerms::add(int k, const Variables& S) {
       return ratio(k, S);
     case Shortage::turnover:
       return turnover(k, S);
+    case Shortage::own:
+      return switches_.own(k, S, beliefs_, program_);
   }
 }
 

@@ -10,7 +10,7 @@ namespace evbal {
 class ShortageTerms {
  public:
   /// Everything given must outlive this.
-  ShortageTerms(const BalancingParameters& parameters, const PlanningData& data, Shortage shortage,
+  ShortageTerms(const BalancingParameters& parameters, const PlanningData& data, const Switches& switches,
                 const Beliefs& beliefs, ConvexProgram& program);
 
   /// Adds the terms of step k; `S` holds the vehicles of every region.
@@ -28,7 +28,7 @@ class ShortageTerms {
 
   const BalancingParameters& p_;
   const PlanningData& data_;
-  Shortage shortage_;
+  const Switches& switches_;
   const Beliefs& beliefs_;
   ConvexProgram& program_;
   Eigen::VectorXd rho_;

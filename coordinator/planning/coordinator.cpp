@@ -3,7 +3,6 @@
 #include "agents/protocol/bytes.hpp"
 #include "common/error.hpp"
 #include "coordinator/ambiguity/gaussian_samples.hpp"
-#include "coordinator/balancing/controllers.hpp"
 #include "coordinator/balancing/make_whole.hpp"
 #include "coordinator/forecast/foreknowledge.hpp"
 #include "coordinator/planning/planning_data.hpp"
@@ -28,13 +27,6 @@ template <class Visit>
 void fields(Visit&& visit, Is<Memory> auto& m) {
   visit("ladder", m.ladder);
   visit("moves", m.moves);
-}
-
-Balancer engine_balancer(const PlanningSettings& settings) {
-  return [parameters = settings.balancing](const std::string& controller, const PlanningData& data,
-                                           const EngineSettings& engine) {
-    return balance(controller, parameters, data, engine);
-  };
 }
 
 void check_fit(const City& city, const DayClock& clock, const PlanningSettings& settings, const CityModel& model) {
@@ -106,9 +98,17 @@ void add_moves(std::vector<Move>& moves, Errand errand, const std::vector<Flow>&
 
 }  // namespace
 
+Balancer balancer_of(const PlanningSettings& settings, std::vector<Controller> controllers) {
+  return [parameters = settings.balancing, controllers = std::move(controllers)](
+             const std::string& name, const PlanningData& data, const EngineSettings& engine) {
+    const auto own = std::ranges::find(controllers, name, &Controller::name);
+    return own == controllers.end() ? balance(name, parameters, data, engine) : balance(*own, parameters, data, engine);
+  };
+}
+
 Coordinator::Coordinator(const City& city, const DayClock& clock, const std::string& date,
                          const PlanningSettings& settings, CityModel model)
-    : Coordinator(city, clock, date, settings, std::move(model), engine_balancer(settings)) {}
+    : Coordinator(city, clock, date, settings, std::move(model), balancer_of(settings)) {}
 
 Coordinator::Coordinator(const City& city, const DayClock& clock, const std::string& date, PlanningSettings settings,
                          CityModel model, Balancer balancer)

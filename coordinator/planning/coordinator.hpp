@@ -3,6 +3,7 @@
 #include "agents/city/city.hpp"
 #include "agents/protocol/messages.hpp"
 #include "common/clock.hpp"
+#include "coordinator/balancing/controllers.hpp"
 #include "coordinator/forecast/forecaster.hpp"
 #include "coordinator/planning/announced.hpp"
 #include "coordinator/planning/city_model.hpp"
@@ -17,6 +18,9 @@
 
 namespace evbal {
 
+/// Solves by the controllers given, as the settings say; names that are not among them are those of evbal's own.
+Balancer balancer_of(const PlanningSettings& settings, std::vector<Controller> controllers = {});
+
 /// From reports to a plan, over a horizon that recedes: forecast, uncertainty set, balancing problem, whole vehicles.
 /// Reports are not trusted: one that cannot be true, is not of now or does not come is rejected, the plan says why, and
 /// an estimate stands in for it.
@@ -27,7 +31,7 @@ class Coordinator {
   Coordinator(const City& city, const DayClock& clock, const std::string& date, const PlanningSettings& settings,
               CityModel model);
 
-  /// The same with another solver, for tests.
+  /// The same with another solver.
   Coordinator(const City& city, const DayClock& clock, const std::string& date, PlanningSettings settings,
               CityModel model, Balancer balancer);
 

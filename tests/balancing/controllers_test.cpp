@@ -279,13 +279,19 @@ TEST(Controllers, RefuseByName) {
   EXPECT_TRUE(refusal([](auto&, auto& p) { p.a = 0.0; }).starts_with("parameter a"));
 }
 
-TEST(Controllers, AllRefuseACovarianceThatIsNone) {
-  auto data = random_planning_data(1, {.regions = 4});
-  data.completions.factors(2, 0) = std::nan("");
+TEST_P(EveryEngine, RefusesACovarianceThatIsNone) {
+  const auto data = random_planning_data(1, {.regions = 4});
+  auto not_a_number = data;
+  not_a_number.completions.factors(2, 0) = std::nan("");
+  auto singular = data;
+  singular.demand.deviation(1) = 0.0;
   for (const auto& controller : controller_names()) {
-    const auto certificate = balance(controller, {}, data, {}).certificate;
-    EXPECT_FALSE(certificate.optimal) << controller;
-    EXPECT_TRUE(certificate.why_not.starts_with("completions, factor 0 of region 2")) << certificate.why_not;
+    for (const auto& [spoilt, datum] : {std::pair(not_a_number, "completions, factor 0 of region 2"),
+                                        std::pair(singular, "demand, deviation of region 1")}) {
+      const auto certificate = balance(controller, {}, spoilt, engine()).certificate;
+      EXPECT_FALSE(certificate.optimal) << controller;
+      EXPECT_TRUE(certificate.why_not.starts_with(datum)) << certificate.why_not;
+    }
   }
 }
 

@@ -39,9 +39,10 @@ const std::vector<Room>& rooms() {
 
       {"agents", {"common", "agents/protocol", "agents/city", "agents/region", "agents/bus"}},
       // faults: for the `oracle` alone, which is told the future
-      {"coordinator",
-       {"common", "agents/protocol", "agents/city", "agents/region", "agents/bus", "coordinator/planning",
-        "faults/schedule"}},
+      {"coordinator/serving",
+       {"common", "agents/protocol", "agents/city", "agents/region", "agents/bus", "coordinator/balancing",
+        "coordinator/planning", "faults/schedule"}},
+      {"coordinator", {"coordinator/serving"}},
       {"faults", {"common", "agents/protocol", "agents/city", "agents/region", "agents/bus", "faults/schedule"}},
 
       {"experiments/scenario",

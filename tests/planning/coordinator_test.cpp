@@ -10,6 +10,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <map>
+#include <set>
 
 namespace evbal {
 namespace {
@@ -238,6 +239,64 @@ TEST(Coordinator, RefusesAModelThatDoesNotFit) {
   far.balancing.tau = 3;
   EXPECT_THROW(Coordinator(testing::small_city(), {}, date, far, testing::small_model(), Spy{}), Error);
   EXPECT_THROW(Coordinator(testing::small_city(), {.step = 60}, date, {}, testing::small_model(), Spy{}), Error);
+}
+
+// By both engines: what the coordinator does when its controller fails, then nominal too, and goes on failing.
+TEST(Coordinator, ComesDownTheLadderAndUpAgain) {
+  for (const std::string& engine : engine_names()) {
+    PlanningSettings settings;
+    settings.engine.name = engine;
+    std::set<std::string> failing;
+    Coordinator coordinator(
+        testing::small_city(), {}, date, settings, testing::small_model(),
+        [&failing, solve = balancer_of(settings)](const std::string& controller, const PlanningData& data) {
+          return failing.contains(controller) ? BalancingResult{} : solve(controller, data);
+        });
+    const auto level_of = [&](int tick, const std::set<std::string>& fail) {
+      failing = fail;
+      const Plan plan = coordinator.plan(at(tick), quiet_reports(tick, 5));
+      EXPECT_EQ(plan.provenance.controller, "robust");
+      EXPECT_EQ(plan.provenance.reason.empty(), fail.empty());
+      EXPECT_LE(plan.provenance.gap, 1e-6);
+      EXPECT_EQ(plan.provenance.engine, plan.provenance.fallback <= FallbackLevel::nominal ? engine : "");
+      return plan.provenance.fallback;
+    };
+    EXPECT_EQ(level_of(0, {}), FallbackLevel::none) << engine;
+    EXPECT_EQ(level_of(2, {"robust"}), FallbackLevel::nominal) << engine;
+    EXPECT_EQ(level_of(4, {"robust", "nominal"}), FallbackLevel::shifted) << engine;
+    EXPECT_EQ(level_of(6, {"robust", "nominal"}), FallbackLevel::hold) << engine;
+    EXPECT_EQ(level_of(8, {}), FallbackLevel::none) << engine;
+  }
+}
+
+TEST(Coordinator, HoldsWithoutIterationsToSpend) {
+  for (const std::string& engine : engine_names()) {
+    PlanningSettings settings;
+    settings.engine = {.name = engine, .max_iterations = 1};
+    Coordinator coordinator(testing::small_city(), {}, date, settings, testing::small_model());
+    auto reports = quiet_reports(0, 5);
+    reports[0].low_battery = reports[0].points = 3;
+    const Plan plan = coordinator.plan(at(0), reports);
+    EXPECT_EQ(plan.provenance.fallback, FallbackLevel::hold) << engine;
+    EXPECT_TRUE(plan.moves.empty());
+    EXPECT_NE(plan.provenance.reason.find("nominal: "), std::string::npos) << plan.provenance.reason;
+  }
+}
+
+TEST(Coordinator, PlansByAControllerOfOnesOwn) {
+  PlanningSettings settings;
+  settings.controller = "mine";
+  const Controller mine{"mine", [](const auto&, const PlanningData& data, const auto&) {
+                          Dispatch dispatch{.vacant = {{{0, 2, data.state.vacant(0)}}}, .low_battery = {{}}};
+                          return by_rule(dispatch);
+                        }};
+  Coordinator coordinator(testing::small_city(), {}, date, settings, testing::small_model(),
+                          balancer_of(settings, {mine}));
+  const Plan plan = coordinator.plan(at(0), quiet_reports(0, 5));
+  EXPECT_EQ(plan.provenance.controller, "mine");
+  ASSERT_EQ(plan.moves.size(), 1U);
+  EXPECT_EQ(plan.moves[0].to, 2);
+  EXPECT_EQ(plan.moves[0].count, 5);
 }
 
 RC_GTEST_PROP(CoordinatorProperty, NeverSendsMoreThanARegionHas, (std::uint64_t seed)) {

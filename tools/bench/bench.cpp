@@ -17,7 +17,7 @@ namespace evbal {
 namespace {
 
 constexpr int limit = 300;  // seconds of processor
-constexpr Switches robust = {.demand = Belief::worst_case, .supply = Belief::worst_case};
+const Switches robust = {.demand = Belief::worst_case, .supply = Belief::worst_case};
 
 PlanningData city(int regions, int tau) {
   return random_planning_data(1, {.regions = regions, .tau = tau, .rank = 3, .out_degree = 12});

@@ -1,0 +1,57 @@
+#include "coordinator/serving/run_coordinator.hpp"
+
+#include "agents/bus/process.hpp"
+#include "agents/bus/roles.hpp"
+#include "agents/region/draws.hpp"
+#include "agents/region/world.hpp"
+#include "common/error.hpp"
+#include "coordinator/planning/coordinator.hpp"
+#include "faults/schedule/schedule.hpp"
+
+#include <algorithm>
+
+namespace evbal {
+namespace {
+
+void check_names(const std::vector<Controller>& own, const std::string& wanted) {
+  std::vector<std::string> known = controller_names();
+  for (const auto& controller : own) {
+    if (std::ranges::find(known, controller.name) != known.end()) {
+      throw bad_input("controller `" + controller.name + "`: the name is taken; give yours another");
+    }
+    known.push_back(controller.name);
+  }
+  if (std::ranges::find(known, wanted) == known.end()) {
+    throw bad_input("this coordinator has no controller `" + wanted + "`" + did_you_mean(wanted, known));
+  }
+}
+
+void plan(const std::vector<Controller>& own, const ProcessOptions& options, Participant& participant) {
+  YamlMap scenario(YamlValue::load(options.scenario));
+  const World world = read_world(scenario);
+  const PlanningSettings settings = read_planning(scenario);
+  check_names(own, settings.controller);
+  Coordinator coordinator(world.city, world.clock, world.day.date, settings,
+                          read_model(model_file(settings, world.city)), balancer_of(settings, own));
+  if (settings.foresees()) {
+    const Eigen::VectorXi points = world.city.points();
+    const Schedule schedule = read_resolved(scenario, {world.clock, {points.begin(), points.end()}});
+    coordinator.foresee(
+        demand_by_tick(world, [&](int tick) { return faults_at(schedule, world.clock, tick).effects; }));
+  }
+  const Planner planner = {
+      .plan = [&](const Tick& tick, const auto& reports) { return coordinator.plan(tick, reports); },
+      .memory = [&] { return coordinator.memory(); },
+      .recall = [&](const Tick& tick, const auto& reports,
+                    const auto& memory) { coordinator.recall(tick, reports, memory); }};
+  serve_coordinator(participant, options, planner);
+}
+
+}  // namespace
+
+int run_coordinator(int argc, char** argv, const std::vector<Controller>& own) {
+  return run_process(argc, argv, "Makes the plans of a run; started by evbal run",
+                     [&](const ProcessOptions& options, Participant& participant) { plan(own, options, participant); });
+}
+
+}  // namespace evbal
