@@ -80,7 +80,8 @@ std::vector<std::string> orphans() {
     std::string name;
     std::string state;
     std::string parent;
-    const std::set<std::string> ours = {"(evbal-agent)", "(evbal-coordinat)", "(evbal-faults)"};  // cut by the kernel
+    const std::set<std::string> ours = {"(evbal-agent)", "(evbal-coordinat)", "(evbal-faults)",
+                                        "(evbal-bridge)"};  // cut by the kernel
     if (status >> id >> name >> state >> parent && ours.contains(name) && parent == "1") {
       found.push_back(name.substr(1, name.size() - 2) + " (process " + id + ")");
     }
@@ -101,7 +102,7 @@ int shared_memory_files() {
 void examine() {
   Diagnosis diagnosis;
   const fs::path folder = own_folder();
-  for (const char* program : {"evbal-agent", "evbal-coordinator", "evbal-faults"}) {
+  for (const char* program : {"evbal-agent", "evbal-coordinator", "evbal-faults", "evbal-bridge"}) {
     diagnosis.check(access((folder / program).c_str(), X_OK) == 0, program,
                     "not beside evbal in " + folder.string() + "; build it");
   }

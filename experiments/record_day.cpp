@@ -1,6 +1,8 @@
 #include "experiments/record_day.hpp"
 
 #include "agents/region/draws.hpp"
+#include "common/error.hpp"
+#include "common/installation.hpp"
 #include "common/interrupt.hpp"
 #include "coordinator/planning/coordinator.hpp"
 #include "experiments/conductor/dds_players.hpp"
@@ -26,11 +28,27 @@ std::shared_ptr<Coordinator> coordinator_of(const Scenario& scenario) {
   return coordinator;
 }
 
+/// The coordinator's command with its program as it will be started. Throws Error{bad_input} if there is no such
+/// program.
+Command startable(Command command) {
+  if (!command.empty()) {
+    const auto program = find_program(command.front());
+    if (program.empty()) {
+      throw bad_input("coordinator `" + shown(command) + "`: there is no program `" + command.front() +
+                      "`; give its path, or the name of one beside evbal or in $PATH");
+    }
+    command.front() = program.string();
+  }
+  return command;
+}
+
 std::unique_ptr<Players> players_of(const Scenario& scenario, const std::filesystem::path& folder,
                                     const std::string& transport) {
   if (transport == "dds") {
-    return std::make_unique<DdsPlayers>(DdsRun{
-        .folder = folder, .regions = scenario.world.city.size(), .regions_per_process = scenario.regions_per_process});
+    return std::make_unique<DdsPlayers>(DdsRun{.folder = folder,
+                                               .regions = scenario.world.city.size(),
+                                               .regions_per_process = scenario.regions_per_process,
+                                               .coordinator = startable(scenario.planning.coordinator)});
   }
   return std::make_unique<InprocPlayers>(
       scenario.world,
@@ -76,20 +94,8 @@ std::vector<std::string> fault_names(const Schedule& schedule) {
   return names;
 }
 
-}  // namespace
-
-Scenario with_controller(Scenario scenario, const std::string& controller) {
-  scenario.controllers = {controller};
-  scenario.planning.controller = controller;
-  return scenario;
-}
-
-void check_planning(const Scenario& scenario) {
-  coordinator_of(scenario);
-}
-
-RunResult record_day(const Scenario& scenario, const std::string& resolved, const std::filesystem::path& folder,
-                     const Stage& stage) {
+RunResult play(const Scenario& scenario, const std::string& resolved, const std::filesystem::path& folder,
+               const Stage& stage) {
   RunRecord record(folder, header_of(scenario, resolved));
   const auto players = players_of(scenario, folder, stage.transport);
   Progress progress(scenario.planning.controller, scenario.world.clock, fault_names(scenario.schedule), stage.quiet);
@@ -99,6 +105,33 @@ RunResult record_day(const Scenario& scenario, const std::string& resolved, cons
     check_interrupt();
   });
   return record.finish();
+}
+
+}  // namespace
+
+Scenario with_controller(Scenario scenario, const std::string& controller) {
+  scenario.controllers = {controller};
+  scenario.planning.controller = controller;
+  return scenario;
+}
+
+void check_planning(const Scenario& scenario) {
+  if (startable(scenario.planning.coordinator).empty()) {
+    coordinator_of(scenario);
+  }
+}
+
+RunResult record_day(const Scenario& scenario, const std::string& resolved, const std::filesystem::path& folder,
+                     const Stage& stage) {
+  try {
+    return play(scenario, resolved, folder, stage);
+  } catch (const Error& error) {
+    if (scenario.planning.coordinator.empty()) {
+      throw;
+    }
+    throw Error(error.status(),
+                std::string(error.what()) + " (the coordinator is `" + shown(scenario.planning.coordinator) + "`)");
+  }
 }
 
 SweptResult play_day(const Scenario& scenario) {

@@ -19,6 +19,7 @@ struct Stage {
 Scenario with_controller(Scenario scenario, const std::string& controller);
 
 /// Throws Error{bad_input} if the day cannot be planned: there is no model, or it does not fit city, clock or horizon.
+/// Of a coordinator in place of evbal's own it is checked that there is one.
 void check_planning(const Scenario& scenario);
 
 /// Plays the day under the scenario's controller and records it in `folder`, which must not exist or be empty;

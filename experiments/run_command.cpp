@@ -13,7 +13,9 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <memory>
+#include <sstream>
 
 namespace evbal {
 namespace {
@@ -88,6 +90,12 @@ std::vector<RunResult> run_all(const Scenario& scenario, const fs::path& folder,
   return results;
 }
 
+/// The words of a command line that is taken from the current directory.
+Command words_of(const std::string& text) {
+  std::istringstream in(text);
+  return command_from(fs::current_path(), {std::istream_iterator<std::string>(in), {}});
+}
+
 void run(const Arguments& arguments) {
   catch_interrupts();
   const Scenario scenario = read_scenario(find_scenario(arguments.scenario), arguments.overrides);
@@ -125,6 +133,11 @@ void add_run_command(CLI::App& app) {
   command->add_option("SCENARIO", arguments->scenario, "Scenario file (YAML), or the name of a shipped one")
       ->required();
   command->add_option("--controller", arguments->overrides.controller, "One controller in place of the scenario's");
+  command
+      ->add_option_function<std::string>(
+          "--coordinator", [arguments](const std::string& text) { arguments->overrides.coordinator = words_of(text); },
+          "Program that makes the plans in place of evbal-coordinator, with its words")
+      ->type_name("COMMAND");
   command->add_option("--day", arguments->overrides.day, "Another day on record, such as 2008-06-04");
   command->add_option("--seed", arguments->overrides.seed, "Another seed")->check([](const std::string& text) {
     const bool whole = text.find_first_not_of("0123456789") == std::string::npos;

@@ -103,7 +103,12 @@ class SweepProgress {
 std::vector<std::string> keys_of(const Sweep& sweep) {
   std::vector<std::string> keys;
   for (const auto& day : sweep.days) {
-    keys.push_back(text_digest(resolved_yaml(scenario_of(day), day.controller)));
+    const Scenario scenario = scenario_of(day);
+    if (!scenario.planning.coordinator.empty()) {
+      throw bad_input("coordinator `" + shown(scenario.planning.coordinator) +
+                      "`: takes part over the bus, without which sweeps play their days; use `evbal run`");
+    }
+    keys.push_back(text_digest(resolved_yaml(scenario, day.controller)));
     check_interrupt();
   }
   return keys;

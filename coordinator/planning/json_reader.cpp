@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 namespace evbal {
 namespace {
@@ -21,13 +22,9 @@ std::string range(double low, double high) {
   return "[" + shown(low) + ", " + shown(high) + "]";
 }
 
-}  // namespace
-
-json parse_json(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in || std::filesystem::is_directory(file)) {
-    throw bad_input(file.string(), 0, "cannot be read; give an existing JSON file");
-  }
+/// `in`: a stream or a text.
+template <class In>
+json parse(In&& in, const std::string& name) {
   std::vector<std::set<std::string>> open_objects;
   const auto refuse_repeats = [&](int, json::parse_event_t event, json& parsed) {
     if (event == json::parse_event_t::object_start) {
@@ -35,15 +32,29 @@ json parse_json(const std::filesystem::path& file) {
     } else if (event == json::parse_event_t::object_end) {
       open_objects.pop_back();
     } else if (event == json::parse_event_t::key && !open_objects.back().insert(parsed.get<std::string>()).second) {
-      throw bad_input(file.string(), 0, "key `" + parsed.get<std::string>() + "` is given twice");
+      throw bad_input(name, 0, "key `" + parsed.get<std::string>() + "` is given twice");
     }
     return true;
   };
   try {
-    return json::parse(in, refuse_repeats);
+    return json::parse(std::forward<In>(in), refuse_repeats);
   } catch (const json::exception& e) {
-    throw bad_input(file.string(), 0, std::string("not valid JSON: ") + e.what());
+    throw bad_input(name, 0, std::string("not valid JSON: ") + e.what());
   }
+}
+
+}  // namespace
+
+json parse_json(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  if (!in || std::filesystem::is_directory(file)) {
+    throw bad_input(file.string(), 0, "cannot be read; give an existing JSON file");
+  }
+  return parse(in, file.string());
+}
+
+json parse_json(const std::string& text, const std::string& name) {
+  return parse(text, name);
 }
 
 JsonObject::JsonObject(const json& value, std::string file, std::string place)

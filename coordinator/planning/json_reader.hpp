@@ -15,6 +15,9 @@ namespace evbal {
 /// Parses a JSON file; repeated keys are refused. Throws Error{bad_input}.
 nlohmann::json parse_json(const std::filesystem::path& file);
 
+/// The same of a text; `name` stands for the file in messages.
+nlohmann::json parse_json(const std::string& text, const std::string& name);
+
 /// Strict view of a JSON object: what is asked for must be there and fit, and finish() refuses what nobody asked for.
 /// Everything that does not fit throws Error{bad_input} as "file: key: what would be right".
 class JsonObject {

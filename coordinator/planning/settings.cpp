@@ -2,8 +2,11 @@
 
 #include "coordinator/balancing/controllers.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
+#include <utility>
 
 namespace evbal {
 namespace {
@@ -114,6 +117,14 @@ std::filesystem::path model_path(const YamlValue& value) {
   return given.is_absolute() ? given : std::filesystem::path(value.file()).parent_path() / given;
 }
 
+Command read_command(const YamlValue& value) {
+  Command words;
+  for (const auto& item : value.items()) {
+    words.push_back(item.text());
+  }
+  return command_from(std::filesystem::path(value.file()).parent_path(), std::move(words));
+}
+
 std::string quoted(const std::string& text) {
   std::string out = "\"";
   for (const char c : text) {
@@ -124,10 +135,49 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
-PlanningSettings read_planning(YamlMap& scenario) {
+Command command_from(const std::filesystem::path& base, Command words) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const auto path = base / words[i];
+    if (i == 0 ? words[i].find('/') != std::string::npos : std::filesystem::is_regular_file(path)) {
+      words[i] = std::filesystem::absolute(path).lexically_normal().string();
+    }
+  }
+  return words;
+}
+
+std::string shown(const Command& command) {
+  std::string text;
+  for (const auto& word : command) {
+    text += (text.empty() ? "" : " ") + word;
+  }
+  return text;
+}
+
+std::string name_complaint(const std::string& name) {
+  const auto fits = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_'; };
+  return !name.empty() && std::ranges::all_of(name, fits)
+             ? ""
+             : "`" + name + "` is no name for a controller; use letters, digits, `-` and `_`";
+}
+
+std::string read_controller(const YamlValue& value, const Command& coordinator) {
+  if (coordinator.empty()) {
+    return controller_names()[value.one_of(controller_names())];
+  }
+  if (const auto complaint = name_complaint(value.text()); !complaint.empty()) {
+    throw value.error(complaint);
+  }
+  return value.text();
+}
+
+PlanningSettings read_planning(YamlMap& scenario, const std::optional<Command>& coordinator) {
   PlanningSettings out;
+  if (const auto command = scenario.find("coordinator")) {
+    out.coordinator = read_command(*command);
+  }
+  out.coordinator = coordinator.value_or(out.coordinator);
   if (const auto controller = scenario.find("controller")) {
-    out.controller = controller_names()[controller->one_of(controller_names())];
+    out.controller = read_controller(*controller, out.coordinator);
   }
   if (const auto engine = scenario.find("engine")) {
     out.engine.name = engine_names()[engine->one_of(engine_names())];
@@ -147,9 +197,13 @@ PlanningSettings read_planning(YamlMap& scenario) {
 std::string planning_yaml(const PlanningSettings& settings) {
   const std::string model =
       settings.model.empty() ? own_model : quoted(std::filesystem::absolute(settings.model).string());
-  std::string text = "controller: " + settings.controller + "\nengine: " + settings.engine.name +
-                     "\niterations: " + std::to_string(settings.engine.max_iterations) + "\nmodel: " + model +
-                     "\nbalancing:\n";
+  std::string command;
+  for (const auto& word : settings.coordinator) {
+    command += (command.empty() ? "" : ", ") + quoted(word);
+  }
+  std::string text =
+      "controller: " + settings.controller + "\ncoordinator: [" + command + "]\nengine: " + settings.engine.name +
+      "\niterations: " + std::to_string(settings.engine.max_iterations) + "\nmodel: " + model + "\nbalancing:\n";
   for (const Price& price : prices) {
     text += std::string("  ") + price.key + ": " + shortest(settings.balancing.*price.field) + "\n";
   }

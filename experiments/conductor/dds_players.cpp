@@ -118,24 +118,28 @@ DdsPlayers::DdsPlayers(const DdsRun& run)
 DdsPlayers::~DdsPlayers() = default;
 
 void DdsPlayers::start_processes(BusAddress address) {
-  const auto start = [&](const std::string& name, const std::string& program, int first_region, int last_region) {
-    supervisor_.start(name, run_.programs / program,
-                      arguments({.name = name,
+  const auto start = [&](const std::string& name, const std::vector<std::string>& command, int first_region,
+                         int last_region) {
+    std::vector<std::string> words(command.begin() + 1, command.end());
+    const auto told = arguments({.name = name,
                                  .address = address,
                                  .scenario = run_.folder / "scenario.resolved.yaml",
                                  .journal = journals_.path() / name,
                                  .first_region = first_region,
-                                 .last_region = last_region}));
+                                 .last_region = last_region});
+    words.insert(words.end(), told.begin(), told.end());
+    supervisor_.start(name, command.front(), words);
     absent_.insert(name);
   };
+  const auto own = [&](const char* program) { return std::vector{(run_.programs / program).string()}; };
   address.participant = BusAddress::coordinator;
-  start("coordinator", "evbal-coordinator", 0, 0);
+  start("coordinator", run_.coordinator.empty() ? own("evbal-coordinator") : run_.coordinator, 0, 0);
   address.participant = BusAddress::injector;
-  start("faults", "evbal-faults", 0, 0);
+  start("faults", own("evbal-faults"), 0, 0);
   for (int agent = 0; agent < agents(run_); ++agent) {
     address.participant = BusAddress::first_agent + agent;
     const int first = agent * run_.regions_per_process;
-    start(host_of(first), "evbal-agent", first, std::min(first + run_.regions_per_process, run_.regions) - 1);
+    start(host_of(first), own("evbal-agent"), first, std::min(first + run_.regions_per_process, run_.regions) - 1);
   }
 }
 

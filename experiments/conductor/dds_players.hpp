@@ -25,6 +25,7 @@ struct DdsRun {
   int regions = 0;
   int regions_per_process = 1;
   std::filesystem::path programs = own_folder();  ///< where evbal-agent, evbal-coordinator and evbal-faults are
+  std::vector<std::string> coordinator{};         ///< program and first words in place of evbal-coordinator's
   std::chrono::seconds patience{120};             ///< longest wait for anything
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "agents/protocol/fields.hpp"
+#include "agents/protocol/words.hpp"
 #include "experiments/record/text.hpp"
 #include "faults/schedule/fault_types.hpp"
 
@@ -19,10 +20,6 @@ struct Cell {
 };
 
 using Row = std::vector<Cell>;
-
-inline const char* word(Errand errand) {
-  return std::array{"passenger", "rebalance", "charge"}.at(static_cast<std::size_t>(errand));
-}
 
 inline const std::string& word(EffectType type) {
   return fault_type(type).name;

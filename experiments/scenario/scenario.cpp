@@ -12,17 +12,17 @@ namespace {
 
 const std::vector<std::string> transports = {"dds", "inproc"};
 
-std::vector<std::string> read_controllers(YamlMap& map, const std::string& single) {
+std::vector<std::string> read_controllers(YamlMap& map, const PlanningSettings& planning) {
   const auto list = map.find("controllers");
   if (!list) {
-    return {single};
+    return {planning.controller};
   }
   if (map.find("controller")) {
     throw list->error("`controller` and `controllers` are both given; keep one");
   }
   std::vector<std::string> controllers;
   for (const auto& item : list->items()) {
-    controllers.push_back(controller_names()[item.one_of(controller_names())]);
+    controllers.push_back(read_controller(item, planning.coordinator));
     if (std::count(controllers.begin(), controllers.end(), item.text()) > 1) {
       throw item.error("controller `" + item.text() + "` is given twice");
     }
@@ -69,9 +69,20 @@ std::string known_word(const std::string& option, const std::string& word, const
   throw bad_input(option + ": `" + word + "` is not known" + did_you_mean(word, words) + "; choose one of " + all);
 }
 
+/// A controller of the command line: one of evbal's or, with another coordinator, any that may have a name.
+std::string own_or_known(const std::string& option, const std::string& name, const Command& coordinator) {
+  if (coordinator.empty()) {
+    return known_word(option, name, controller_names());
+  }
+  if (const auto complaint = name_complaint(name); !complaint.empty()) {
+    throw bad_input(option + ": " + complaint);
+  }
+  return name;
+}
+
 void apply(const Overrides& overrides, Scenario& scenario) {
   if (overrides.controller) {
-    scenario.controllers = {known_word("--controller", *overrides.controller, controller_names())};
+    scenario.controllers = {own_or_known("--controller", *overrides.controller, scenario.planning.coordinator)};
   }
   if (overrides.engine) {
     scenario.planning.engine.name = known_word("--engine", *overrides.engine, engine_names());
@@ -128,8 +139,8 @@ Scenario read_scenario(const YamlValue& yaml, const Overrides& overrides) {
   const auto name = map.find("name");
   scenario.name = name ? name->text() : std::filesystem::path(yaml.file()).stem().string();
   scenario.world = read_world(map);
-  scenario.planning = read_planning(map);
-  scenario.controllers = read_controllers(map, scenario.planning.controller);
+  scenario.planning = read_planning(map, overrides.coordinator);
+  scenario.controllers = read_controllers(map, scenario.planning);
   const auto transport = map.find("transport");
   scenario.transport = transport ? transports[transport->one_of(transports)] : transports.front();
   if (const auto given = map.find("regions_per_process")) {
@@ -141,6 +152,11 @@ Scenario read_scenario(const YamlValue& yaml, const Overrides& overrides) {
   read_faults(map, overrides.faults, scenario);
   map.finish();
   apply(overrides, scenario);
+  if (!scenario.planning.coordinator.empty() && scenario.transport != "dds") {
+    throw bad_input("coordinator `" + shown(scenario.planning.coordinator) +
+                    "`: takes part over the bus; with transport `" + scenario.transport +
+                    "` there is none, choose `dds`");
+  }
   scenario.planning.controller = scenario.controllers.front();
   return scenario;
 }

@@ -29,6 +29,7 @@ struct Scenario {
 /// What the command line says in place of the scenario.
 struct Overrides {
   std::optional<std::string> controller{};
+  std::optional<Command> coordinator{};
   std::optional<std::string> day{};
   std::optional<std::uint64_t> seed{};
   std::optional<std::filesystem::path> faults{};  ///< a schedule file; its `expect` adds to the scenario's

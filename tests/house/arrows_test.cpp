@@ -42,7 +42,10 @@ const std::vector<Room>& rooms() {
       {"coordinator/serving",
        {"common", "agents/protocol", "agents/city", "agents/region", "agents/bus", "coordinator/balancing",
         "coordinator/planning", "faults/schedule"}},
-      {"coordinator", {"coordinator/serving"}},
+      {"coordinator/bridge",
+       {"common", "agents/protocol", "agents/city", "agents/region", "agents/bus", "coordinator/balancing",
+        "coordinator/planning"}},
+      {"coordinator", {"coordinator/serving", "coordinator/bridge"}},
       {"faults", {"common", "agents/protocol", "agents/city", "agents/region", "agents/bus", "faults/schedule"}},
 
       {"experiments/scenario",

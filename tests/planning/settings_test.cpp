@@ -1,5 +1,7 @@
 #include "coordinator/planning/settings.hpp"
 
+#include "tests/folder.hpp"
+
 #include <gtest/gtest.h>
 
 namespace evbal {
@@ -47,6 +49,22 @@ TEST(Planning, RefusesWhatIsWrong) {
         "balancing: {variance_linear: []}\n", "balancing: {variance_linear: 1.3}\n", "balancing: 3\n"}) {
     EXPECT_THROW(settings_of(wrong), Error) << wrong;
   }
+}
+
+TEST(Planning, ReadsTheCoordinatorsCommand) {
+  const Folder folder;
+  folder.write("mine.py", "");
+  YamlMap map(YamlValue::parse("coordinator: [bridge, -v, mine.py, ./x]\ncontroller: mine\n",
+                               (folder.path() / "a.yaml").string()));
+  const PlanningSettings settings = read_planning(map);
+  EXPECT_EQ(settings.coordinator, (Command{"bridge", "-v", (folder.path() / "mine.py").string(), "./x"}))
+      << "words that name files alone have a place";
+  EXPECT_EQ(settings.controller, "mine");
+  EXPECT_EQ(settings_of(planning_yaml(settings)).coordinator, settings.coordinator);
+  EXPECT_EQ(command_from("/here", {"sub/../bin/mine"}), Command{"/here/bin/mine"});
+  EXPECT_THROW(settings_of("controller: mine\ncoordinator: []\n"), Error);
+  EXPECT_THROW(settings_of("controller: mi/ne\ncoordinator: [bridge]\n"), Error);
+  EXPECT_THROW(settings_of("coordinator: bridge\n"), Error);
 }
 
 TEST(Planning, FindsTheCitysOwnModel) {

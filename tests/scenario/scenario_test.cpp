@@ -125,6 +125,20 @@ TEST_F(ScenarioFile, CommandLineTakesThePlaceOfTheFile) {
   EXPECT_EQ(scenario.expect, (std::vector<Expect>{{"served", false, 10.0}, {"lost", true, 900.0}}));
 }
 
+TEST_F(ScenarioFile, AnotherCoordinatorMayHaveOtherControllers) {
+  const fs::path file = write(head + "controllers: [mine, yours]\n");
+  expect_refused([&] { read_scenario(file); }, "a.yaml:5", "`mine` is not known");
+  const Scenario scenario = read_scenario(file, {.coordinator = Command{"bridge"}});
+  EXPECT_EQ(scenario.controllers, (std::vector<std::string>{"mine", "yours"}));
+  EXPECT_EQ(scenario.planning.coordinator, Command{"bridge"});
+  const Scenario one = read_scenario(file, {.controller = "third", .coordinator = Command{"bridge"}});
+  EXPECT_EQ(read_scenario(write(resolved_yaml(one, "third"))).planning.coordinator, Command{"bridge"});
+  expect_refused([&] { read_scenario(file, {.coordinator = Command{"bridge"}, .transport = "inproc"}); },
+                 "coordinator `bridge`", "choose `dds`");
+  expect_refused([&] { read_scenario(file, {.controller = "a b", .coordinator = Command{"bridge"}}); }, "--controller",
+                 "`a b` is no name");
+}
+
 TEST_F(ScenarioFile, RefusesAWrongCommandLine) {
   const fs::path file = write(head);
   expect_refused([&] { read_scenario(file, {.controller = "robst"}); }, "--controller", "did you mean `robust`");

@@ -1,0 +1,69 @@
+#include "coordinator/bridge/run_bridge.hpp"
+
+#include "agents/bus/process.hpp"
+#include "agents/bus/roles.hpp"
+#include "agents/region/world.hpp"
+#include "common/error.hpp"
+#include "common/pin.hpp"
+#include "coordinator/balancing/controllers.hpp"
+#include "coordinator/bridge/child.hpp"
+#include "coordinator/bridge/lines.hpp"
+#include "coordinator/planning/settings.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <span>
+#include <string_view>
+
+namespace evbal {
+namespace {
+
+void check_name(const std::string& controller) {
+  if (std::ranges::find(controllers(), controller, &Controller::name) != controllers().end()) {
+    throw bad_input("`" + controller + "` is a controller of evbal's own; name yours by --controller NAME");
+  }
+}
+
+void bridge(const Command& command, const ProcessOptions& options, Participant& participant) {
+  if (command.empty()) {
+    throw bad_input("evbal-bridge: no command; give one, such as --coordinator \"evbal-bridge python3 mine.py\"");
+  }
+  YamlMap scenario(YamlValue::load(options.scenario));
+  const World world = read_world(scenario);
+  const std::string controller = read_planning(scenario).controller;
+  check_name(controller);
+  Child child(command);
+  child.write(opening_line(world, controller));
+  const auto plan = [&](const Tick& tick, const std::vector<Report>& reports) {
+    child.write(question_line(tick.tick, reports));
+    const std::string answer = child.read("the plan of tick " + std::to_string(tick.tick));
+    const std::string place = "line " + std::to_string(child.lines_read()) + " of `" + shown(command) + "`";
+    Plan made{.tick = tick.tick, .moves = read_answer(answer, place, reports), .provenance = {}, .origin = {}};
+    made.provenance.controller = controller;
+    return made;
+  };
+  // What the child knows is its own affair: after a restart it is asked once more.
+  serve_coordinator(
+      participant, options,
+      {.plan = plan,
+       .memory = [] { return std::string(); },
+       .recall = [&](const Tick& tick, const auto& reports, const auto& /*memory*/) { plan(tick, reports); }});
+}
+
+}  // namespace
+
+int run_bridge(int argc, char** argv) {
+  pin_arithmetic(argv);
+  const std::span words(argv, static_cast<std::size_t>(argc));
+  // What evbal says begins with --name; the child may have an option of that name too, before it.
+  const auto last = std::find(words.rbegin(), words.rend() - 1, std::string_view("--name"));
+  const auto own = last == words.rend() - 1 ? words.end() : last.base() - 1;
+  const Command command(words.begin() + 1, own);
+  std::vector<char*> rest = {words.front()};
+  rest.insert(rest.end(), own, words.end());
+  return run_process(
+      static_cast<int>(rest.size()), rest.data(), "Has a command make the plans of a run",
+      [&](const ProcessOptions& options, Participant& participant) { bridge(command, options, participant); });
+}
+
+}  // namespace evbal
