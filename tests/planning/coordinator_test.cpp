@@ -117,7 +117,7 @@ TEST(Coordinator, ForeseesWhatItWasTold) {
 
 TEST(Coordinator, TakesOverFromAnother) {
   int solves = 0;
-  const Balancer fails_from_the_fourth_on = [&solves](const std::string&, const PlanningData& data) {
+  const Balancer fails_from_the_fourth_on = [&solves](const std::string&, const PlanningData& data, const auto&) {
     BalancingResult result;
     result.certificate.optimal = ++solves <= 3;
     result.certificate.objective = data.demand.mean.sum();
@@ -247,11 +247,11 @@ TEST(Coordinator, ComesDownTheLadderAndUpAgain) {
     PlanningSettings settings;
     settings.engine.name = engine;
     std::set<std::string> failing;
-    Coordinator coordinator(
-        testing::small_city(), {}, date, settings, testing::small_model(),
-        [&failing, solve = balancer_of(settings)](const std::string& controller, const PlanningData& data) {
-          return failing.contains(controller) ? BalancingResult{} : solve(controller, data);
-        });
+    Coordinator coordinator(testing::small_city(), {}, date, settings, testing::small_model(),
+                            [&failing, solve = balancer_of(settings)](
+                                const std::string& controller, const PlanningData& data, const EngineSettings& given) {
+                              return failing.contains(controller) ? BalancingResult{} : solve(controller, data, given);
+                            });
     const auto level_of = [&](int tick, const std::set<std::string>& fail) {
       failing = fail;
       const Plan plan = coordinator.plan(at(tick), quiet_reports(tick, 5));
