@@ -18,10 +18,6 @@ double radius(const MomentSet& set, Belief belief) {
   return belief == Belief::worst_case ? std::sqrt(std::min(set.g1, set.g2)) : 0.0;
 }
 
-double at_lead(const std::vector<double>& values, Eigen::Index lead) {
-  return values[std::min(static_cast<std::size_t>(lead), values.size() - 1)];
-}
-
 // Laws of the demand in both sides of the band.
 void add_band_demand(const PlanningData& data, Belief belief, Beliefs& beliefs) {
   const double spread = radius(data.demand, belief);
@@ -41,14 +37,11 @@ void add_band_demand(const PlanningData& data, Belief belief, Beliefs& beliefs) 
 }
 
 // Laws of the passengers who want to be served, around `demand`, N x tau.
-std::vector<DiscreteLaw> count_laws(const BalancingParameters& parameters, const Eigen::MatrixXd& demand,
-                                    Belief belief) {
+std::vector<DiscreteLaw> count_laws(const CountVariance& variance, const Eigen::MatrixXd& demand, Belief belief) {
   std::vector<DiscreteLaw> laws;
   for (Eigen::Index k = 0; k < demand.cols(); ++k) {
-    const double linear = at_lead(parameters.variance_linear, k);
-    const double quadratic = at_lead(parameters.variance_quadratic, k);
     for (const double m : demand.col(k)) {
-      laws.push_back(belief == Belief::mean ? certain(m) : negative_binomial(m, linear * m + quadratic * m * m));
+      laws.push_back(belief == Belief::mean ? certain(m) : negative_binomial(m, variance.at(k, m)));
     }
   }
   return laws;
@@ -75,8 +68,8 @@ Beliefs beliefs(const BalancingParameters& parameters, const PlanningData& data,
   } else if (switches.shortage == Shortage::turnover) {
     const Eigen::MatrixXd demand = demand_with_waiting(data);
     const Eigen::MatrixXd vacant = vacant_without_dispatch(data, beliefs.c_low);
-    beliefs.serving_again = serving_again(data, parameters.phi, dropoffs(data, demand, vacant));
-    beliefs.shortage = count_laws(parameters, demand, switches.demand);
+    beliefs.serving_again = serving_again(data, dropoffs(data, demand, vacant));
+    beliefs.shortage = count_laws(data.turnover.demand, demand, switches.demand);
   }
   return beliefs;
 }

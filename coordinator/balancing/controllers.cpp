@@ -43,7 +43,7 @@ const std::vector<Controller>& controllers() {
       {"demand-robust", optimum({Shortage::band, Belief::worst_case, Belief::mean})},
       {"robust", optimum({Shortage::band, Belief::worst_case, Belief::worst_case})},
       {"moment", optimum({Shortage::moments, Belief::worst_case, Belief::worst_case})},
-      {"scenario", optimum({Shortage::band, Belief::samples, Belief::mean})},
+      {"scenario", optimum({Shortage::band, Belief::samples, Belief::mean}), true},
       {"ratio", optimum({Shortage::ratio, Belief::mean, Belief::mean})},
       {"turnover", optimum({Shortage::turnover, Belief::counts, Belief::mean})},
       {"oracle", optimum({Shortage::turnover, Belief::counts, Belief::mean})},  // on true forecasts
@@ -64,6 +64,11 @@ BalancingResult balance(const std::string& controller, const BalancingParameters
   const auto chosen = std::ranges::find(controllers(), controller, &Controller::name);
   assert(chosen != controllers().end());
   return balance(*chosen, parameters, data, engine);
+}
+
+bool draws_samples(const std::string& controller) {
+  const auto known = std::ranges::find(controllers(), controller, &Controller::name);
+  return known == controllers().end() || known->draws_samples;
 }
 
 std::vector<std::string> controller_names() {

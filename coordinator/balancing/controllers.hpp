@@ -18,6 +18,7 @@ using PlanFunction =
 struct Controller {
   std::string name;
   PlanFunction plan;
+  bool draws_samples = false;  ///< plans for PlanningData::demand_samples
 };
 
 /// Solves the balancing problem with these switches.
@@ -37,6 +38,10 @@ BalancingResult balance(const Controller& controller, const BalancingParameters&
 /// The same by one of controller_names().
 BalancingResult balance(const std::string& controller, const BalancingParameters& parameters, const PlanningData& data,
                         const EngineSettings& engine);
+
+/// Whether this controller plans for PlanningData::demand_samples, of which it needs one at least; a name that is not
+/// among controllers() may.
+bool draws_samples(const std::string& controller);
 
 std::vector<std::string> controller_names();
 

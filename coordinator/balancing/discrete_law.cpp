@@ -26,6 +26,11 @@ DiscreteLaw joined(const std::vector<double>& values, const std::vector<double>&
   return law;
 }
 
+// p(k + 1) / p(k) of a negative binomial.
+double next_ratio(double k, double mean, double variance) {
+  return (mean * mean + k * (variance - mean)) / (variance * (k + 1.0));
+}
+
 }  // namespace
 
 double DiscreteLaw::mean() const {
@@ -52,7 +57,7 @@ DiscreteLaw empirical(std::vector<double> values) {
   return law;
 }
 
-// p(k+1) / p(k) = (m^2 + k (v - m)) / (v (k + 1)),  from the mean outwards until the rest is negligible.
+// From the mean outwards until the rest is negligible.
 DiscreteLaw negative_binomial(double mean, double variance) {
   assert(mean >= 0.0);
   if (mean == 0.0) {
@@ -61,7 +66,7 @@ DiscreteLaw negative_binomial(double mean, double variance) {
   constexpr double negligible = 1e-10;
   constexpr double least = 1.0 / 64.0;
   const double v = std::max(mean, variance);
-  const auto ratio = [&](double k) { return (mean * mean + k * (v - mean)) / (v * (k + 1.0)); };
+  const auto ratio = [&](double k) { return next_ratio(k, mean, v); };
   const double middle = std::floor(mean);
   std::deque<double> weights{1.0};
   double lowest = middle;
@@ -80,6 +85,19 @@ DiscreteLaw negative_binomial(double mean, double variance) {
     probabilities.push_back(weight / sum);
   }
   return joined(values, probabilities, least);
+}
+
+double negative_binomial_at_most(double count, double mean, double variance) {
+  assert(mean > 0.0);
+  const double v = std::max(mean * (1.0 + 1e-9), variance);
+  const double size = mean * mean / (v - mean);
+  double weight = std::exp(size * std::log(mean / v));  // of none
+  double sum = 0.0;
+  for (double k = 0.0; k <= count; k += 1.0) {
+    sum += weight;
+    weight *= next_ratio(k, mean, v);
+  }
+  return std::min(1.0, sum);
 }
 
 DiscreteLaw mirrored(DiscreteLaw law) {

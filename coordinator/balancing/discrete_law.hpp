@@ -22,6 +22,9 @@ DiscreteLaw empirical(std::vector<double> values);
 /// values of less than a 64th together are joined at their mean: fewer values, the same mean.
 DiscreteLaw negative_binomial(double mean, double variance);
 
+/// Probability of at most `count` under the same negative binomial, without joining; mean > 0.
+double negative_binomial_at_most(double count, double mean, double variance);
+
 /// The law of  -r.
 DiscreteLaw mirrored(DiscreteLaw law);
 

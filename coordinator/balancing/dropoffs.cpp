@@ -15,13 +15,13 @@ Eigen::MatrixXd dropoffs(const PlanningData& data, const Eigen::MatrixXd& demand
   Eigen::MatrixXd A = data.state.dropoffs_due;
   for (int pass = 0; pass < passes; ++pass) {
     const Eigen::MatrixXd served = demand.cwiseMin(vacant + in_time * A);
-    A = data.state.dropoffs_due + data.same_step_dropoffs.transpose() * served;
+    A = data.state.dropoffs_due + data.turnover.same_step_dropoffs.transpose() * served;
   }
   return A;
 }
 
-Eigen::MatrixXd serving_again(const PlanningData& data, double phi, const Eigen::MatrixXd& dropoffs) {
-  Eigen::MatrixXd again = phi * dropoffs;
+Eigen::MatrixXd serving_again(const PlanningData& data, const Eigen::MatrixXd& dropoffs) {
+  Eigen::MatrixXd again = data.turnover.phi * dropoffs;
   for (Eigen::Index k = 0; k < again.cols(); ++k) {
     const Eigen::VectorXd low = data.transitions[static_cast<std::size_t>(k)].vacant_to_low_battery.rowwise().sum();
     again.col(k).array() *= 1.0 - low.array();

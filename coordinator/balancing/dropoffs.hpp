@@ -17,6 +17,6 @@ Eigen::MatrixXd dropoffs(const PlanningData& data, const Eigen::MatrixXd& demand
 
 /// phi (1 - pl) A, N x tau: those of the drop-offs that serve again in the step. pl_i is the share of the vacant cars
 /// of region i that come out of the step with a low battery.
-Eigen::MatrixXd serving_again(const PlanningData& data, double phi, const Eigen::MatrixXd& dropoffs);
+Eigen::MatrixXd serving_again(const PlanningData& data, const Eigen::MatrixXd& dropoffs);
 
 }  // namespace evbal

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "coordinator/ambiguity/moment_set.hpp"
+#include "coordinator/forecast/count_variance.hpp"
 
 #include <Eigen/Core>
 
@@ -31,11 +32,6 @@ struct BalancingParameters {
   double m2 = 15.0;          ///< km; low-battery cars likewise
   int neighbours = 12;       ///< at most so many nearest targets a region, beside its nearest region and station
   int tau = 2;               ///< steps in the horizon
-  double phi = 0.6;          ///< share of drop-offs that serve again in the same step (turnover, oracle)
-  /// Variance of demand around its forecast m, per lead, the last one for all further leads (turnover):
-  /// linear m + quadratic m^2.
-  std::vector<double> variance_linear = {1.36, 1.58};
-  std::vector<double> variance_quadratic = {0.014, 0.018};
   Supply supply = Supply::completions;
 };
 
@@ -61,20 +57,27 @@ struct Transitions {
   Eigen::MatrixXd occupied_to_occupied;   ///< Qo
 };
 
+/// What a city's records and plant say of vehicles that serve more than once a step (turnover, oracle).
+struct Turnover {
+  CountVariance demand;                ///< of passengers around their forecast
+  double phi = 0.0;                    ///< share of drop-offs that serve again in the same step
+  Eigen::MatrixXd same_step_dropoffs;  ///< D, N x N: share of the trips from j that end at i within the step
+};
+
 /// Everything that a controller may know when it plans.
 struct PlanningData {
   Eigen::MatrixXd km;  ///< N x N
   FleetState state;
   Eigen::MatrixXd points;                ///< P, N x tau: working points per step
   MomentSet demand;                      ///< r
-  Eigen::MatrixXd demand_samples;        ///< N tau x at least one: demand as it may come, each column equally likely
+  Eigen::MatrixXd demand_samples;        ///< N tau x any: demand as it may come, each column equally likely
   MomentSet completions;                 ///< c, sessions that end in each step
   MomentSet free_points;                 ///< c of Supply::points, free by the end of each step
   std::vector<Transitions> transitions;  ///< tau of them
-  Eigen::MatrixXd same_step_dropoffs;    ///< D, N x N: share of the trips from j that end at i within the step
-  double step_minutes = 30.0;            ///< Delta
-  double mean_session_minutes = 45.0;    ///< caps J_E's c_hat at P Delta / mean session
-  Eigen::MatrixXd minutes;               ///< N x N travel time (greedy only)
+  Turnover turnover;
+  double step_minutes = 30.0;          ///< Delta
+  double mean_session_minutes = 45.0;  ///< caps J_E's c_hat at P Delta / mean session
+  Eigen::MatrixXd minutes;             ///< N x N travel time (greedy only)
 };
 
 /// A planned flow of vehicles.

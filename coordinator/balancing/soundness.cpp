@@ -99,13 +99,16 @@ void check_parameters(Complaint& complaint, const BalancingParameters& p) {
   complaint.require(p.eta, 0.0, 1.0, "parameter eta");
   complaint.require(p.m1, 0.0, infinity, "parameter m1");
   complaint.require(p.m2, 0.0, infinity, "parameter m2");
-  complaint.require(p.phi, 0.0, 1.0, "parameter phi");
-  assert(!p.variance_linear.empty() && !p.variance_quadratic.empty());
-  for (const double linear : p.variance_linear) {
-    complaint.require(linear, 0.0, 100.0, "parameter variance_linear");
+}
+
+void check_turnover(Complaint& complaint, const Turnover& turnover) {
+  complaint.require(turnover.phi, 0.0, 1.0, "phi");
+  complaint.require(turnover.same_step_dropoffs, 0.0, 1.0, "trips that end within the step", "to");
+  for (const double linear : turnover.demand.linear) {
+    complaint.require(linear, 0.0, 100.0, "variance of demand, linear");
   }
-  for (const double quadratic : p.variance_quadratic) {
-    complaint.require(quadratic, 0.0, 100.0, "parameter variance_quadratic");
+  for (const double quadratic : turnover.demand.quadratic) {
+    complaint.require(quadratic, 0.0, 100.0, "variance of demand, quadratic");
   }
 }
 
@@ -123,9 +126,11 @@ void assert_shapes([[maybe_unused]] const PlanningData& data) {
   assert(data.completions.mean.size() == n * tau && data.completions.deviation.size() == n * tau);
   assert(data.free_points.mean.size() == n * tau && data.free_points.deviation.size() == n * tau);
   assert(data.free_points.factors.rows() == n * tau);
-  assert(data.demand_samples.rows() == n * tau && data.demand_samples.cols() > 0);
+  assert(data.demand_samples.rows() == n * tau);
   assert(data.state.dropoffs_due.rows() == n && data.state.dropoffs_due.cols() == tau);
-  assert(data.same_step_dropoffs.rows() == n && data.same_step_dropoffs.cols() == n);
+  assert(data.turnover.same_step_dropoffs.rows() == n && data.turnover.same_step_dropoffs.cols() == n);
+  assert(!data.turnover.demand.linear.empty());
+  assert(data.turnover.demand.linear.size() == data.turnover.demand.quadratic.size());
   assert(std::ssize(data.transitions) == tau);
 }
 
@@ -146,7 +151,7 @@ std::string complaint(const BalancingParameters& parameters, const PlanningData&
     complaint.require(data.demand_samples.middleRows(k * data.km.rows(), data.km.rows()), -most_cars, most_cars,
                       "demand, step " + std::to_string(k) + ",", "sample");
   }
-  complaint.require(data.same_step_dropoffs, 0.0, 1.0, "trips that end within the step", "to");
+  check_turnover(complaint, data.turnover);
   for (std::size_t k = 0; k < data.transitions.size(); ++k) {
     check_transitions(complaint, data.transitions[k], std::to_string(k));
   }

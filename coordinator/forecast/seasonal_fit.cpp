@@ -140,7 +140,8 @@ HeldOutDay hold_out(const SeasonalModel& model, const SeasonalMeans& rival, cons
   const int origins = static_cast<int>(day.counts.cols()) - leads + 1;
   const Eigen::MatrixXd& mean = rival[static_cast<std::size_t>(day.kind)];
   const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(n, leads);
-  HeldOutDay out{Eigen::MatrixXd(n * leads, origins), Eigen::MatrixXd(n * leads, origins), {zero, zero, zero}};
+  const Eigen::MatrixXd columns(n * leads, origins);
+  HeldOutDay out{columns, columns, columns, {zero, zero, zero}};
   SeasonalForecaster forecaster(model, day.kind);
   for (int step = 0; step < origins; ++step) {
     const int minute = step * model.step_minutes;
@@ -148,6 +149,7 @@ HeldOutDay hold_out(const SeasonalModel& model, const SeasonalMeans& rival, cons
     const Eigen::MatrixXd forecast = forecaster.forecast(minute, leads);
     const Eigen::MatrixXd error = truth - forecast;
     out.forecasts.col(step) = forecast.reshaped();
+    out.counts.col(step) = truth.reshaped();
     out.residuals.col(step) = error.cwiseQuotient(forecaster.scale(minute, leads)).reshaped();
     out.skill.forecast += error.cwiseAbs2();
     out.skill.seasonal_mean += (truth - mean.middleCols(step, leads)).cwiseAbs2();

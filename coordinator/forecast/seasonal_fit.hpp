@@ -40,6 +40,7 @@ struct Skill {
 struct HeldOutDay {
   /// One column an origin, stacked step-major (entry (lead, region) at lead * N + region).
   Eigen::MatrixXd forecasts;
+  Eigen::MatrixXd counts;     ///< that came
   Eigen::MatrixXd residuals;  ///< errors divided by Forecaster::scale
   Skill skill;
 };

@@ -31,6 +31,7 @@ struct CityModel {
   SeriesModel demand;
   SeriesModel completions;
   std::vector<Period> periods;  ///< at least one, by start
+  Turnover turnover;
   double mean_session_minutes = 0.0;
 
   int regions() const { return demand.seasonal.regions(); }

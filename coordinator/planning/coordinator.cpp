@@ -118,7 +118,6 @@ Coordinator::Coordinator(const City& city, const DayClock& clock, const std::str
       km_(city.km),
       minutes_(city.minutes),
       session_quantiles_(city.charging.session_quantiles),
-      same_step_dropoffs_(evbal::same_step_dropoffs(city, clock.step)),
       has_points_((city.points().array() > 0).cast<double>()),
       bounds_{city.fleet.vehicles, {}, clock},
       fleet_(
@@ -149,12 +148,12 @@ PlanningData Coordinator::data(int minute, const std::vector<Report>& reports) c
   data.demand = moment_set(model_.demand.errors, told_.as_announced(demand_->forecast(minute, tau), clock_.step),
                            demand_->scale(minute, tau));
   grow(data.demand, fleet_.variance());
-  data.demand_samples = gaussian_samples(data.demand, demand_samples);
+  data.demand_samples = gaussian_samples(data.demand, draws_samples(settings_.controller) ? demand_samples : 0);
   data.completions =
       moment_set(model_.completions.errors, has_points_.asDiagonal() * completions_->forecast(minute, tau),
                  has_points_.asDiagonal() * completions_->scale(minute, tau));
   data.free_points = free_points(reports, minute, clock_.step, session_quantiles_, data.completions);
-  data.same_step_dropoffs = same_step_dropoffs_;
+  data.turnover = model_.turnover;
   for (int step = 0; step < tau; ++step) {
     data.transitions.push_back(model_.transitions_at(clock_.start + minute + step * clock_.step));
   }

@@ -61,7 +61,6 @@ class Coordinator {
   Eigen::MatrixXd km_;
   Eigen::MatrixXd minutes_;
   std::vector<double> session_quantiles_;
-  Eigen::MatrixXd same_step_dropoffs_;
   Eigen::VectorXd has_points_;  ///< 1 where the city has points, working or not, else 0
   std::unique_ptr<Forecaster> demand_;
   std::unique_ptr<Forecaster> completions_;

@@ -75,6 +75,13 @@ json to_json(const Period& period) {
   return out;
 }
 
+json to_json(const Turnover& turnover) {
+  return {{"phi", turnover.phi},
+          {"variance_linear", turnover.demand.linear},
+          {"variance_quadratic", turnover.demand.quadratic},
+          {"same_step_dropoffs", to_json(turnover.same_step_dropoffs)}};
+}
+
 struct Shape {
   int regions = 0;
   int steps = 0;
@@ -134,6 +141,19 @@ SeriesModel read_series(JsonObject in, const Shape& shape) {
   return series;
 }
 
+Turnover read_turnover(JsonObject in, const Shape& shape) {
+  Turnover turnover;
+  turnover.phi = in.number("phi", 0.0, 1.0);
+  turnover.demand.linear = in.numbers("variance_linear", 0.0, 100.0);
+  turnover.demand.quadratic = in.numbers("variance_quadratic", 0.0, 100.0);
+  if (turnover.demand.linear.empty() || turnover.demand.linear.size() != turnover.demand.quadratic.size()) {
+    throw in.error("variance_linear", "one number at least is expected, and as many of variance_quadratic");
+  }
+  turnover.same_step_dropoffs = in.matrix("same_step_dropoffs", shape.regions, shape.regions, 0.0, 1.0);
+  in.finish();
+  return turnover;
+}
+
 void check_rows(const JsonObject& in, const char* key, const Eigen::MatrixXd& sum) {
   if (!((sum.rowwise().sum().array() - 1.0).abs() < 1e-9).all()) {
     throw in.error(key, "the rows of one state's transitions do not sum to one");
@@ -176,6 +196,7 @@ CityModel read_model(const std::filesystem::path& file) {
       std::adjacent_find(model.periods.begin(), model.periods.end(), later) != model.periods.end()) {
     throw in.error("periods", "one at least is expected, by ascending start");
   }
+  model.turnover = read_turnover(in.object("turnover"), shape);
   model.mean_session_minutes = in.number("mean_session_minutes", 1.0, 24.0 * 60.0);
   in.finish();
   return model;
@@ -194,6 +215,7 @@ void write_model(const CityModel& model, const std::filesystem::path& file) {
       {"mean_session_minutes", model.mean_session_minutes},
       {"demand", to_json(model.demand)},
       {"completions", to_json(model.completions)},
+      {"turnover", to_json(model.turnover)},
   };
   json periods = json::array();
   for (const Period& period : model.periods) {

@@ -84,18 +84,4 @@ MomentSet free_points(const std::vector<Report>& reports, int minute, int step,
   return set;
 }
 
-Eigen::MatrixXd same_step_dropoffs(const City& city, int step) {
-  Eigen::MatrixXd trips = Eigen::MatrixXd::Zero(city.size(), city.size());
-  for (const std::string& date : city.train_days) {
-    for (const auto& pairs : read_demand(city, date).steps) {
-      for (const TripCount& pair : pairs) {
-        trips(pair.origin, pair.destination) += pair.trips;
-      }
-    }
-  }
-  const Eigen::VectorXd started = trips.rowwise().sum().cwiseMax(1.0);
-  const Eigen::MatrixXd in_time = (1.0 - city.minutes.array() / step).max(0.0);
-  return started.cwiseInverse().asDiagonal() * trips.cwiseProduct(in_time);
-}
-
 }  // namespace evbal

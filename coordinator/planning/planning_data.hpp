@@ -28,8 +28,4 @@ Eigen::MatrixXd points_ahead(const std::vector<Report>& reports, int tau);
 MomentSet free_points(const std::vector<Report>& reports, int minute, int step,
                       const std::vector<double>& session_quantiles, const MomentSet& completions);
 
-/// D, N x N: of the trips from j on the city's training days, the share that goes to i and ends there within the step
-/// of `step` minutes in which it starts, starts being even over the step.
-Eigen::MatrixXd same_step_dropoffs(const City& city, int step);
-
 }  // namespace evbal

@@ -19,7 +19,7 @@ struct Price {
   double low;
   double high;
 };
-constexpr std::array<Price, 13> prices{{
+constexpr std::array<Price, 12> prices{{
     {"a", &BalancingParameters::a, 1e-3, 2.0},
     {"theta_0", &BalancingParameters::theta_0, 0.0, 1e6},
     {"eps", &BalancingParameters::eps, 1e-3, 1e3},
@@ -32,7 +32,6 @@ constexpr std::array<Price, 13> prices{{
     {"eta", &BalancingParameters::eta, 0.0, 0.99},
     {"m1", &BalancingParameters::m1, 0.0, 1e4},
     {"m2", &BalancingParameters::m2, 0.0, 1e4},
-    {"phi", &BalancingParameters::phi, 0.0, 1.0},
 }};
 
 struct Count {
@@ -46,42 +45,12 @@ constexpr std::array<Count, 2> counts{{
     {"tau", &BalancingParameters::tau, 1, 48},
 }};
 
-struct PerLead {
-  const char* key;
-  std::vector<double> BalancingParameters::*field;
-  double low;
-  double high;
-};
-constexpr std::array<PerLead, 2> per_lead{{
-    {"variance_linear", &BalancingParameters::variance_linear, 0.0, 100.0},
-    {"variance_quadratic", &BalancingParameters::variance_quadratic, 0.0, 10.0},
-}};
-
 const std::vector<std::string> supplies = {"completions", "points"};  // by Supply
 
 std::string shortest(double value) {
   std::array<char, 32> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
   return {text.data(), end};
-}
-
-std::string shortest(const std::vector<double>& values) {
-  std::string text;
-  for (const double value : values) {
-    text += (text.empty() ? "[" : ", ") + shortest(value);
-  }
-  return text + "]";
-}
-
-std::vector<double> numbers(const YamlValue& list, double low, double high) {
-  std::vector<double> values;
-  for (const YamlValue& item : list.items()) {
-    values.push_back(item.number(low, high));
-  }
-  if (values.empty()) {
-    throw list.error("one number at least is expected");
-  }
-  return values;
 }
 
 BalancingParameters read_balancing(const YamlValue& value) {
@@ -95,11 +64,6 @@ BalancingParameters read_balancing(const YamlValue& value) {
   for (const Count& count : counts) {
     if (const auto given = map.find(count.key)) {
       out.*count.field = given->integer(count.low, count.high);
-    }
-  }
-  for (const PerLead& list : per_lead) {
-    if (const auto given = map.find(list.key)) {
-      out.*list.field = numbers(*given, list.low, list.high);
     }
   }
   if (const auto supply = map.find("supply")) {
@@ -209,9 +173,6 @@ std::string planning_yaml(const PlanningSettings& settings) {
   }
   for (const Count& count : counts) {
     text += std::string("  ") + count.key + ": " + std::to_string(settings.balancing.*count.field) + "\n";
-  }
-  for (const PerLead& list : per_lead) {
-    text += std::string("  ") + list.key + ": " + shortest(settings.balancing.*list.field) + "\n";
   }
   text += "  supply: " + supplies[static_cast<std::size_t>(settings.balancing.supply)] + "\n";
   return text;

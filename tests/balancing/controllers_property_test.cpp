@@ -50,7 +50,7 @@ PlanningData renamed(PlanningData data, const Permutation& one) {
   const auto rows = [&](auto& m) { m = (one * m).eval(); };
   square(data.km);
   square(data.minutes);
-  square(data.same_step_dropoffs);
+  square(data.turnover.same_step_dropoffs);
   for (auto* vector :
        {&data.state.vacant, &data.state.occupied, &data.state.low_battery, &data.state.plugged, &data.state.waiting}) {
     rows(*vector);

@@ -68,5 +68,18 @@ TEST(DiscreteLaw, NegativeBinomialWithoutOverdispersionIsPoisson) {
   EXPECT_NEAR(law.probabilities[1], 2.0 * std::exp(-2.0), 1e-9);
 }
 
+TEST(DiscreteLaw, CountsUpToTheWholeOfANegativeBinomial) {
+  for (const double mean : {0.3, 4.0, 40.0}) {
+    for (const double variance : {mean, 1.5 * mean}) {
+      double expected = 0.0;
+      for (double k = 0.0; k < 400.0; k += 1.0) {
+        expected += 1.0 - negative_binomial_at_most(k, mean, variance);
+      }
+      EXPECT_NEAR(expected, mean, 1e-6 * mean);
+      EXPECT_DOUBLE_EQ(negative_binomial_at_most(-1.0, mean, variance), 0.0);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace evbal

@@ -12,7 +12,7 @@ TEST(Dropoffs, ServeAgainWithinTheStep) {
   data.demand.mean << 10.0, 0.0;
   data.state.waiting << 5.0, 0.0;
   data.state.dropoffs_due << 0.0, 2.0;
-  data.same_step_dropoffs << 0.0, 0.5, 0.0, 0.0;
+  data.turnover.same_step_dropoffs << 0.0, 0.5, 0.0, 0.0;
   const auto demand = demand_with_waiting(data);
   EXPECT_DOUBLE_EQ(demand(0, 0), 14.0);
   const Eigen::Vector2d vacant(8.0, 1.0);
@@ -20,7 +20,7 @@ TEST(Dropoffs, ServeAgainWithinTheStep) {
   EXPECT_DOUBLE_EQ(A(0, 0), 0.0);
   EXPECT_DOUBLE_EQ(A(1, 0), 2.0 + 0.5 * 8.0);
   data.transitions[0].vacant_to_low_battery << 0.0, 0.0, 0.1, 0.15;
-  EXPECT_DOUBLE_EQ(serving_again(data, 0.6, A)(1, 0), 0.6 * 0.75 * 6.0);
+  EXPECT_DOUBLE_EQ(serving_again(data, A)(1, 0), 0.6 * 0.75 * 6.0);
 }
 
 TEST(Dropoffs, OfOnesAreCountedAgain) {
@@ -28,7 +28,7 @@ TEST(Dropoffs, OfOnesAreCountedAgain) {
   data.demand.mean << 100.0;
   data.state.waiting << 0.0;
   data.state.dropoffs_due << 0.0;
-  data.same_step_dropoffs << 0.5;
+  data.turnover.same_step_dropoffs << 0.5;
   const auto A = dropoffs(data, demand_with_waiting(data), Eigen::VectorXd::Constant(1, 10.0));
   EXPECT_GT(A(0, 0), 8.0) << "5, and 2 of those 5, ...";
   EXPECT_LT(A(0, 0), 5.0 / (1.0 - 0.4)) << "the limit";

@@ -34,8 +34,11 @@ TEST(TrainingDay, FollowsCarsThroughThePlantsDay) {
   world.city = find_city(EVBAL_SOURCE_DIR "/experiments/cities/toy-5");
   world.day = read_demand(world.city, "2024-01-03");
   const int vehicles = world.city.fleet.vehicles;
-  const TrainingDay day = play_training_day(world, flat_model(world), {5 * 60, 12 * 60});
+  PlanningSettings greedy;
+  greedy.controller = "greedy";
+  const TrainingDay day = play_training_day(world, flat_model(world), greedy, {5 * 60, 12 * 60});
   EXPECT_GT(day.served, 100);
+  EXPECT_GT(day.idle_km, 100.0);
   EXPECT_GT(day.completions.sum(), 0.0);
   ASSERT_EQ(day.transitions.size(), 2U);
   const int origins_before_noon = 7 * 6;

@@ -64,15 +64,5 @@ TEST(FreePoints, CountsWhatFinishesGivenItsAge) {
   EXPECT_EQ(set.g1, 0.3);
 }
 
-TEST(SameStepDropoffs, AreTheShortTripsOfTheRecord) {
-  const City city = read_city(std::filesystem::path(EVBAL_SOURCE_DIR) / "experiments/cities/toy-5");
-  const Eigen::MatrixXd shares = same_step_dropoffs(city, 30);
-  ASSERT_EQ(shares.rows(), 5);
-  EXPECT_GE(shares.minCoeff(), 0.0);
-  EXPECT_LT(shares.rowwise().sum().maxCoeff(), 1.0);
-  EXPECT_GT(shares.sum(), 1.0);
-  EXPECT_EQ(same_step_dropoffs(city, 1).sum(), 0.0) << "nothing ends within a minute";
-}
-
 }  // namespace
 }  // namespace evbal

@@ -50,6 +50,9 @@ inline CityModel small_model(int leads = 2) {
   model.demand = flat_series(4.0, leads);
   model.completions = flat_series(1.0, leads);
   model.periods = {{5 * 60, simple_transitions()}, {16 * 60, simple_transitions()}};
+  model.turnover = {.demand = {.linear = {1.4}, .quadratic = {0.0}},
+                    .phi = 0.5,
+                    .same_step_dropoffs = Eigen::MatrixXd::Constant(3, 3, 0.1)};
   model.mean_session_minutes = 45.0;
   return model;
 }

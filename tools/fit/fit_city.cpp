@@ -2,22 +2,19 @@
 
 #include "common/error.hpp"
 #include "tools/fit/training_day.hpp"
+#include "tools/fit/turnover_fit.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <numeric>
 
 namespace evbal {
 namespace {
 
-constexpr int leads = 2;                      ///< steps that plans look ahead (BalancingParameters::tau)
 constexpr std::uint64_t training_seed = 101;  ///< of the passengers' minutes, batteries and sessions
 /// Cars that a row of transitions is shrunk by.
 constexpr double prior_cars = 50.0;
 /// Minutes after midnight at which transitions change.
 const std::vector<int> period_starts{5 * 60, 7 * 60, 10 * 60, 16 * 60, 19 * 60, 22 * 60};
-constexpr std::array<int, 6> resample_sizes{10, 20, 50, 100, 500, 1000};
 
 CountDay pickups(const City& city, const DemandDay& day) {
   CountDay out{day_kind(day.date, day.holiday),
@@ -48,56 +45,6 @@ std::vector<CountDay> pickups(const City& city, const std::vector<DemandDay>& da
   return out;
 }
 
-Skill total_skill(const std::vector<HeldOutDay>& days) {
-  Skill sum = days.at(0).skill;
-  for (std::size_t d = 1; d < days.size(); ++d) {
-    sum += days[d].skill;
-  }
-  return sum;
-}
-
-/// Written numbers stay short: a millionth of a vehicle is nothing.
-Eigen::MatrixXd rounded(const Eigen::MatrixXd& matrix) {
-  return (matrix * 1e6).array().round() / 1e6;
-}
-
-struct FittedSeries {
-  SeriesModel model;
-  Eigen::MatrixXd residuals;  ///< of `regions`' rows and all others
-  Skill skill;
-  SeasonalOrders orders;
-};
-
-void round(ArimaModel& arma) {
-  arma.ar = rounded(arma.ar);
-  arma.ma = rounded(arma.ma);
-  arma.variance = std::round(arma.variance * 1e6) / 1e6;
-}
-
-FittedSeries fit_series(const std::vector<CountDay>& days, int step_minutes, const std::vector<int>& regions) {
-  FittedSeries out;
-  out.orders = choose_orders(days);
-  const std::vector<HeldOutDay> held_out = leave_one_day_out(days, step_minutes, out.orders, leads);
-  out.skill = total_skill(held_out);
-  const Eigen::Index per_day = held_out[0].residuals.cols();
-  out.residuals.resize(held_out[0].residuals.rows(), per_day * static_cast<Eigen::Index>(held_out.size()));
-  for (std::size_t d = 0; d < held_out.size(); ++d) {
-    out.residuals.middleCols(per_day * static_cast<Eigen::Index>(d), per_day) = held_out[d].residuals;
-  }
-  SeasonalModel& seasonal = out.model.seasonal;
-  seasonal = fit_seasonal(days, step_minutes, out.orders);
-  for (Eigen::MatrixXd& mean : seasonal.mean) {
-    mean = rounded(mean);
-  }
-  round(seasonal.city);
-  std::ranges::for_each(seasonal.region, round);
-  ResidualLaw& errors = out.model.errors;
-  errors = fit_residual_law(out.residuals, leads, regions, {});
-  errors.covariance.deviation = rounded(errors.covariance.deviation);
-  errors.covariance.factors = rounded(errors.covariance.factors);
-  return out;
-}
-
 std::vector<int> all_regions(const City& city) {
   std::vector<int> regions(city.regions.size());
   std::iota(regions.begin(), regions.end(), 0);
@@ -124,7 +71,8 @@ double mean_of_quantiles(const std::vector<double>& quantiles) {
   return sum / static_cast<double>(quantiles.size() - 1);
 }
 
-CityModel model_of_demand(const City& city, const std::vector<DemandDay>& days, const SeriesModel& demand) {
+/// What `greedy` has to know of a city; it knows neither completions, transitions nor turnover.
+CityModel model_of_demand(const City& city, int leads, const SeriesModel& demand) {
   CityModel model;
   model.city = city.name;
   model.day_start = city.day_start;
@@ -132,15 +80,14 @@ CityModel model_of_demand(const City& city, const std::vector<DemandDay>& days, 
   model.holidays = city.holidays;
   model.demand = demand;
   model.mean_session_minutes = mean_of_quantiles(city.charging.session_quantiles);
-  // `greedy` knows neither completions nor transitions; these stand in until the plant has played.
   const Eigen::Index n = city.size();
-  const auto steps = static_cast<Eigen::Index>(days[0].steps.size());
-  model.completions.seasonal.mean.fill(Eigen::MatrixXd::Zero(n, steps));
   model.completions.seasonal.step_minutes = city.step_minutes;
+  model.completions.seasonal.mean.fill(Eigen::MatrixXd::Zero(n, city.steps_per_day()));
   model.completions.seasonal.region.resize(city.regions.size());
   model.completions.errors = fit_residual_law(Eigen::MatrixXd::Zero(n * leads, 2), leads, {}, {});
   const TransitionCounts unseen(city.size());
   model.periods = {{period_starts[0], transitions_of(unseen, unseen, 1.0)}};
+  model.turnover = {{{1.0}, {0.0}}, 0.0, Eigen::MatrixXd::Zero(n, n)};
   return model;
 }
 
@@ -155,77 +102,86 @@ World training_world(const City& city, const DemandDay& day) {
   return world;
 }
 
-Eigen::MatrixXd rows_of_regions(const Eigen::MatrixXd& residuals, const std::vector<int>& regions) {
-  std::vector<Eigen::Index> rows;
-  for (Eigen::Index block = 0; block < residuals.rows(); block += residuals.rows() / leads) {
-    for (const int region : regions) {
-      rows.push_back(block + region);
-    }
-  }
-  return residuals(rows, Eigen::all);
+PlanningSettings under(const std::string& controller, int leads) {
+  PlanningSettings settings;
+  settings.controller = controller;
+  settings.engine.name = "cuts";
+  settings.balancing.tau = std::min(settings.balancing.tau, leads);
+  return settings;
 }
 
-Thresholds thresholds_at(int resample, const FittedSeries& series, const std::vector<int>& regions) {
-  if (regions.empty()) {
-    return {};
+/// Plays days spread over the training days under `turnover` with several phi; all else equal.
+std::vector<PhiTrial> try_phi(const City& city, const std::vector<DemandDay>& training, CityModel model,
+                              const std::function<void(const std::string&)>& tell) {
+  const PlanningSettings settings = under("turnover", model.leads());
+  std::vector<PhiTrial> trials;
+  for (const double phi : {0.4, 0.6, 0.8, 1.0}) {
+    tell("turnover with phi " + std::to_string(phi).substr(0, 3) + " on three training days");
+    model.turnover.phi = phi;
+    PhiTrial trial{.phi = phi};
+    for (std::size_t quarter = 1; quarter <= 3; ++quarter) {
+      const DemandDay& day = training[quarter * training.size() / 4];
+      const TrainingDay played = play_training_day(training_world(city, day), model, settings, period_starts);
+      trial.lost += played.lost;
+      trial.idle_km += played.idle_km;
+    }
+    trial.cost = trial.idle_km + settings.balancing.p_shortage * trial.lost;
+    trials.push_back(trial);
   }
-  const Eigen::MatrixXd residuals = rows_of_regions(series.residuals, regions);
-  const Covariance& full = series.model.errors.covariance;
-  const Covariance own{rows_of_regions(full.deviation, regions), rows_of_regions(full.factors, regions)};
-  return bootstrap_thresholds(residuals, own, {.resample = resample});
+  return trials;
+}
+
+Eigen::MatrixXd rounded(const Eigen::MatrixXd& matrix) {
+  return (matrix * 1e6).array().round() / 1e6;
 }
 
 }  // namespace
 
-CityFit fit_city(const City& city, const std::function<void(const std::string&)>& tell) {
+CityFit fit_city(const City& city, int leads, const std::function<void(const std::string&)>& tell) {
   if (city.train_days.size() < 3) {
     throw bad_input(city.name + " has " + std::to_string(city.train_days.size()) +
                     " training days; three at least are needed");
   }
-  const std::vector<DemandDay> days = demand_of(city, city.train_days);
-  const std::vector<int> regions = all_regions(city);
-  const std::vector<int> stations = regions_with_points(city);
+  const std::vector<DemandDay> training = demand_of(city, city.train_days);
+  const std::vector<DemandDay> test = demand_of(city, city.test_days);
   CityFit fit;
-  tell("demand: " + std::to_string(days.size()) + " training days on record");
-  const FittedSeries demand = fit_series(pickups(city, days), city.step_minutes, regions);
-  fit.model = model_of_demand(city, days, demand.model);
+  tell("demand: " + std::to_string(training.size()) + " training days on record");
+  const SeriesDays demand{pickups(city, training), pickups(city, test)};
+  fit.demand = fit_series(demand, city.step_minutes, leads, all_regions(city));
+  fit.model = model_of_demand(city, leads, fit.demand.model);
 
-  std::vector<CountDay> completions;
-  std::vector<TransitionCounts> periods(period_starts.size(), TransitionCounts(city.size()));
-  for (const DemandDay& day : days) {
+  const auto play = [&](const DemandDay& day) {
     tell("plant: " + day.date + " under greedy");
-    const TrainingDay played = play_training_day(training_world(city, day), fit.model, period_starts);
-    completions.push_back({day_kind(day.date, day.holiday), played.completions});
+    return play_training_day(training_world(city, day), fit.model, under("greedy", leads), period_starts);
+  };
+  SeriesDays completions;
+  std::vector<TransitionCounts> periods(period_starts.size(), TransitionCounts(city.size()));
+  for (const DemandDay& day : training) {
+    const TrainingDay played = play(day);
+    completions.training.push_back({day_kind(day.date, day.holiday), played.completions});
     for (std::size_t period = 0; period < periods.size(); ++period) {
       periods[period] += played.transitions[period];
     }
     fit.served += played.served;
     fit.lost += played.lost;
   }
+  for (const DemandDay& day : test) {
+    completions.test.push_back({day_kind(day.date, day.holiday), play(day).completions});
+  }
 
   tell("completions and transitions of the days played");
-  const FittedSeries charged = fit_series(completions, city.step_minutes, stations);
-  fit.model.completions = charged.model;
+  fit.completions = fit_series(completions, city.step_minutes, leads, regions_with_points(city));
+  fit.model.completions = fit.completions.model;
   const TransitionCounts whole_day = std::accumulate(periods.begin(), periods.end(), TransitionCounts(city.size()),
                                                      [](TransitionCounts sum, const auto& one) { return sum += one; });
   fit.model.periods.clear();
   for (std::size_t period = 0; period < periods.size(); ++period) {
     fit.model.periods.push_back({period_starts[period], transitions_of(periods[period], whole_day, prior_cars)});
   }
-
-  tell("thresholds by resample size");
-  for (const int resample : resample_sizes) {
-    fit.thresholds.push_back(
-        {resample, thresholds_at(resample, demand, regions), thresholds_at(resample, charged, stations)});
-  }
-  fit.demand = demand.skill;
-  fit.completions = charged.skill;
-  const SeasonalMeans rival = seasonal_means(pickups(city, days));
-  std::vector<HeldOutDay> tested;
-  for (const CountDay& day : pickups(city, demand_of(city, city.test_days))) {
-    tested.push_back(hold_out(demand.model.seasonal, rival, day, leads));
-  }
-  fit.demand_test = total_skill(tested);
+  fit.model.turnover.demand = fit_count_variance(fit.demand.training, leads);
+  fit.model.turnover.same_step_dropoffs = rounded(same_step_dropoffs(city, training, city.step_minutes));
+  fit.phi = try_phi(city, training, fit.model, tell);
+  fit.model.turnover.phi = std::ranges::min_element(fit.phi, {}, &PhiTrial::cost)->phi;
   return fit;
 }
 

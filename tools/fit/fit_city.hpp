@@ -1,8 +1,8 @@
 #pragma once
 
 #include "agents/city/city.hpp"
-#include "coordinator/forecast/seasonal_fit.hpp"
 #include "coordinator/planning/city_model.hpp"
+#include "tools/fit/series_fit.hpp"
 
 #include <functional>
 #include <string>
@@ -10,27 +10,29 @@
 
 namespace evbal {
 
-/// Thresholds at horizon's full length for one resample size N_B.
-struct ThresholdRow {
-  int resample = 0;
-  Thresholds demand;
-  Thresholds completions;
+/// What `turnover` made of some training days with one phi.
+struct PhiTrial {
+  double phi = 0.0;
+  int lost = 0;
+  double idle_km = 0.0;
+  double cost = 0.0;  ///< idle km, and those that a lost passenger is worth
 };
 
 /// A city's model and how good it is.
 struct CityFit {
   CityModel model;
-  Skill demand;       ///< leave one training day out
-  Skill demand_test;  ///< test days, forecast by the model of all training days
-  Skill completions;  ///< leave one training day out
-  std::vector<ThresholdRow> thresholds;
+  SeriesFit demand;
+  SeriesFit completions;
+  std::vector<PhiTrial> phi;
   int served = 0;  ///< passengers of the training days under `greedy`
   int lost = 0;
 };
 
-/// Estimates everything that CityModel holds from the city's training days (model, sections 2 and 5): demand from the
-/// records; completions and transitions from the plant, which plays those days under `greedy` without faults.
-/// Deterministic. `tell` gets a line on what is done next. Throws Error{bad_input} with fewer than three training days.
-CityFit fit_city(const City& city, const std::function<void(const std::string&)>& tell);
+/// Estimates everything that CityModel holds from the city's training days, for `leads` steps ahead (model, sections 2,
+/// 4 and 5): demand from the records; completions and transitions from the plant, which plays those days under `greedy`
+/// without faults; phi is the best of several with which `turnover` plays some of them. Test days are forecast, and
+/// nothing is fitted to them. Deterministic. `tell` gets a line on what is done next. Throws Error{bad_input} with
+/// fewer than three training days.
+CityFit fit_city(const City& city, int leads, const std::function<void(const std::string&)>& tell);
 
 }  // namespace evbal

@@ -109,20 +109,22 @@ std::size_t period_at(const std::vector<int>& starts, int minute) {
   return static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, after - starts.begin()) - 1);
 }
 
-TrainingDay play_training_day(const World& world, const CityModel& model, const std::vector<int>& period_starts) {
-  PlanningSettings settings;
-  settings.controller = "greedy";
+TrainingDay play_training_day(const World& world, const CityModel& model, const PlanningSettings& settings,
+                              const std::vector<int>& period_starts) {
   Coordinator coordinator(world.city, world.clock, world.day.date, settings, model);
   InprocPlayers players(
       world, [&](const Tick& tick, const auto& reports) { return coordinator.plan(tick, reports); },
       [](int tick) { return Faults{.tick = tick, .effects = {}, .origin = {}}; });
   Follower follower(world, period_starts, players.plants());
-  TrainingDay day{Eigen::MatrixXd::Zero(world.city.size(), world.clock.steps()), {}, 0, 0};
+  TrainingDay day{Eigen::MatrixXd::Zero(world.city.size(), world.clock.steps()), {}, 0, 0, 0.0};
   run_day(world, players, [&](const TickRecord& record) {
     follower.observe(record);
     const int step = world.clock.step_of(world.clock.minute_of(record.tick.tick));
     for (const Departures& said : record.exchange.departures) {
       day.completions(said.region, step) += said.completions;
+      for (const Departure& departure : said.departures) {
+        day.idle_km += departure.errand == Errand::passenger ? 0.0 : departure.km;
+      }
       for (const Fate& fate : said.fates) {
         ++(fate.served ? day.served : day.lost);
       }

@@ -2,6 +2,7 @@
 
 #include "agents/region/world.hpp"
 #include "coordinator/planning/city_model.hpp"
+#include "coordinator/planning/settings.hpp"
 #include "tools/fit/transition_counts.hpp"
 
 #include <Eigen/Core>
@@ -16,12 +17,14 @@ struct TrainingDay {
   std::vector<TransitionCounts> transitions;  ///< by period: that in which the step started
   int served = 0;
   int lost = 0;
+  double idle_km = 0.0;  ///< driven without passengers
 };
 
 /// The period that holds `minute` after midnight, of those that begin at `starts`, ascending; the first before that.
 std::size_t period_at(const std::vector<int>& starts, int minute);
 
-/// Plays the world's day in this process under `greedy`, which needs of `model` the demand and the mean session only.
-TrainingDay play_training_day(const World& world, const CityModel& model, const std::vector<int>& period_starts);
+/// Plays the world's day in this process, without faults.
+TrainingDay play_training_day(const World& world, const CityModel& model, const PlanningSettings& settings,
+                              const std::vector<int>& period_starts);
 
 }  // namespace evbal

@@ -96,7 +96,9 @@ PlanningData random_planning_data(std::uint64_t seed, const DataShape& shape) {
   const Eigen::MatrixXd free = data.points.colwise() - 0.7 * data.state.plugged;
   data.free_points = moment_set(random, free.reshaped(), shape.rank);
   data.state.dropoffs_due = 0.5 * data.state.occupied.replicate(1, shape.tau);
-  data.same_step_dropoffs = matrix(n, n, [&] { return random.uniform(0.0, 0.8 / n); });
+  data.turnover = {.demand = {.linear = {1.36, 1.58}, .quadratic = {0.014, 0.018}},
+                   .phi = 0.6,
+                   .same_step_dropoffs = matrix(n, n, [&] { return random.uniform(0.0, 0.8 / n); })};
   const Eigen::ArrayXXd within = reachable(data.km, shape.out_degree);
   for (int k = 0; k < shape.tau; ++k) {
     data.transitions.push_back(transitions(random, within));

@@ -37,6 +37,9 @@ inline CityModel rough_model(const City& city) {
   model.demand = flat_series(n, 8.0, 4);
   model.completions = flat_series(n, 1.0, 4);
   model.periods = {{city.day_start, {0.5 * stay, spread, 0.1 * stay, stay, Eigen::MatrixXd::Zero(n, n)}}};
+  model.turnover = {.demand = {.linear = {1.4}, .quadratic = {0.0}},
+                    .phi = 0.5,
+                    .same_step_dropoffs = Eigen::MatrixXd::Constant(n, n, 0.1)};
   model.mean_session_minutes = 45.0;
   return model;
 }

@@ -1,0 +1,90 @@
+#include "coordinator/ambiguity/bootstrap.hpp"
+
+#include "common/parallel.hpp"
+#include "common/random.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <vector>
+
+namespace evbal {
+namespace {
+
+/// The statistics of one resample of whitened residuals.
+Thresholds resampled(const Eigen::MatrixXd& whitened, RandomStream random, int resample) {
+  Eigen::VectorXd times = Eigen::VectorXd::Zero(whitened.cols());
+  for (int draw = 0; draw < resample; ++draw) {
+    times(static_cast<Eigen::Index>(random.below(static_cast<std::uint64_t>(whitened.cols())))) += 1.0;
+  }
+  times /= resample;
+  const Eigen::MatrixXd weighted = whitened * times.cwiseSqrt().asDiagonal();
+  Eigen::MatrixXd second_moment = Eigen::MatrixXd::Zero(whitened.rows(), whitened.rows());
+  second_moment.selfadjointView<Eigen::Lower>().rankUpdate(weighted);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(second_moment, Eigen::EigenvaluesOnly);
+  return {(whitened * times).squaredNorm(), eigen.eigenvalues().maxCoeff()};
+}
+
+/// The statistics of every replicate.
+std::vector<Thresholds> replicates(const Eigen::MatrixXd& residuals, const Covariance& covariance,
+                                   const Bootstrap& bootstrap) {
+  assert(bootstrap.resample >= 1 && bootstrap.replicates >= 1);
+  const Eigen::LLT<Eigen::MatrixXd> root(covariance.dense());
+  assert(root.info() == Eigen::Success);
+  const Eigen::MatrixXd whitened = root.matrixL().solve(residuals);
+  std::vector<Thresholds> out(static_cast<std::size_t>(bootstrap.replicates));
+  parallel_for(out.size(), [&](std::size_t b) {
+    out[b] = resampled(whitened, {bootstrap.seed, Purpose::bootstrap, {.index = b}}, bootstrap.resample);
+  });
+  return out;
+}
+
+struct OrderStatistic {
+  double value = 0.0;
+  double error = 0.0;
+};
+
+/// The order statistic, and half the distance between those that lie as many ranks around it as the rank of the true
+/// quantile varies by (one binomial standard deviation).
+OrderStatistic order_statistic(std::vector<double> values, double alpha) {
+  std::sort(values.begin(), values.end());
+  const auto size = static_cast<double>(values.size());
+  const double rank = std::ceil(size * (1.0 - alpha));
+  const double spread = std::sqrt(size * alpha * (1.0 - alpha));
+  const auto at = [&](double r) { return values[static_cast<std::size_t>(std::clamp(r, 1.0, size)) - 1]; };
+  return {at(rank), (at(rank + spread) - at(rank - spread)) / 2.0};
+}
+
+}  // namespace
+
+BootstrapThresholds bootstrap_thresholds(const Eigen::MatrixXd& residuals, const Covariance& covariance,
+                                         const Bootstrap& bootstrap) {
+  std::vector<double> g1;
+  std::vector<double> g2;
+  for (const Thresholds& one : replicates(residuals, covariance, bootstrap)) {
+    g1.push_back(one.g1);
+    g2.push_back(one.g2);
+  }
+  const OrderStatistic first = order_statistic(std::move(g1), bootstrap.alpha);
+  const OrderStatistic second = order_statistic(std::move(g2), bootstrap.alpha);
+  return {{first.value, second.value}, {first.error, second.error}};
+}
+
+Coverage coverage(const Eigen::MatrixXd& residuals, const Covariance& covariance, const Thresholds& thresholds,
+                  const Bootstrap& bootstrap) {
+  Coverage share;
+  const double each = 1.0 / bootstrap.replicates;
+  for (const Thresholds& one : replicates(residuals, covariance, bootstrap)) {
+    const bool mean = one.g1 <= thresholds.g1;
+    const bool moment = one.g2 <= thresholds.g2;
+    share.g1 += mean ? each : 0.0;
+    share.g2 += moment ? each : 0.0;
+    share.both += mean && moment ? each : 0.0;
+  }
+  return share;
+}
+
+}  // namespace evbal

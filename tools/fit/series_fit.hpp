@@ -1,0 +1,35 @@
+#pragma once
+
+#include "coordinator/forecast/seasonal_fit.hpp"
+#include "coordinator/planning/city_model.hpp"
+
+#include <vector>
+
+namespace evbal {
+
+/// A series on record.
+struct SeriesDays {
+  std::vector<CountDay> training;  ///< at least three
+  std::vector<CountDay> test;      ///< nothing is fitted to them; may be empty
+};
+
+/// Thresholds over the whole horizon for one resample size N_B, and how they hold on the test days.
+struct ThresholdRow {
+  int resample = 0;
+  BootstrapThresholds thresholds;
+  Coverage test;
+};
+
+/// A series' model and how good it is.
+struct SeriesFit {
+  SeriesModel model;
+  SeasonalOrders orders;
+  std::vector<HeldOutDay> training;      ///< each day by the model of the others
+  std::vector<HeldOutDay> test;          ///< by the model of all training days
+  std::vector<ThresholdRow> thresholds;  ///< by N_B; none if no region varies
+};
+
+/// Fits forecasts and the law of their errors for `leads` steps ahead (model, section 5). Only `regions` vary.
+SeriesFit fit_series(const SeriesDays& days, int step_minutes, int leads, const std::vector<int>& regions);
+
+}  // namespace evbal
