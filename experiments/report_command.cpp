@@ -1,8 +1,10 @@
 #include "experiments/report_command.hpp"
 
 #include "common/error.hpp"
+#include "coordinator/planning/city_model.hpp"
 #include "experiments/record/recorded_run.hpp"
 #include "experiments/record/text.hpp"
+#include "experiments/scenario/scenario.hpp"
 #include "tools/report/report.hpp"
 
 #include <CLI/CLI.hpp>
@@ -31,6 +33,33 @@ std::vector<fs::path> runs_in(const fs::path& folder) {
   return found.empty() ? std::vector<fs::path>{folder} : found;
 }
 
+/// What the run's model says of its day one step ahead, demand and supply.
+std::vector<ForecastFigure> forecast_figures(const RecordedRun& run) {
+  const Scenario scenario = read_scenario(run.folder / "scenario.resolved.yaml");
+  const CityModel model = read_model(model_file(scenario.planning, scenario.world.city));
+  if (model.regions() != run.regions) {
+    return {};
+  }
+  const DayKind kind = model.kind(run.date);
+  const int start = scenario.world.clock.start - model.day_start;
+  std::vector<ForecastFigure> figures{forecast_figure(model.demand.seasonal, kind, start, run.demand),
+                                      forecast_figure(model.completions.seasonal, kind, start, run.completions)};
+  figures[0].title = "Demand, forecast and real";
+  figures[0].unit = "passengers per step";
+  figures[1].title = "Supply, forecast and real";
+  figures[1].unit = "charging sessions that end, per step";
+  return figures;
+}
+
+/// The same; nothing if the city is no longer there: a run outlives it.
+std::vector<ForecastFigure> figures_if_any(const RecordedRun& run) {
+  try {
+    return forecast_figures(run);
+  } catch (const Error&) {
+    return {};
+  }
+}
+
 void report(const std::vector<std::string>& folders, const std::string& out) {
   std::vector<RecordedRun> runs;
   for (const auto& given : folders) {
@@ -40,11 +69,15 @@ void report(const std::vector<std::string>& folders, const std::string& out) {
   }
   const fs::path page =
       !out.empty() ? fs::path(out) : (folders.size() == 1 ? fs::path(folders[0]) : ".") / "report.html";
-  write_file(page, report_page(runs));
+  write_report(page, runs);
   std::printf("%s\n", page.c_str());
 }
 
 }  // namespace
+
+void write_report(const fs::path& page, const std::vector<RecordedRun>& runs) {
+  write_file(page, report_page(runs, figures_if_any(runs.front())));
+}
 
 void add_report_command(CLI::App& app) {
   struct Arguments {

@@ -5,8 +5,8 @@
 #include "experiments/record/recorded_run.hpp"
 #include "experiments/record/text.hpp"
 #include "experiments/record_day.hpp"
+#include "experiments/report_command.hpp"
 #include "experiments/table.hpp"
-#include "tools/report/report.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -54,10 +54,10 @@ void write_reports(const fs::path& folder, const std::vector<RunResult>& results
   std::vector<RecordedRun> runs;
   for (const auto& result : results) {
     runs.push_back(read_run(result.folder));
-    write_file(result.folder / "report.html", report_page({runs.back()}));
+    write_report(result.folder / "report.html", {runs.back()});
   }
   if (runs.size() > 1) {
-    write_file(folder / "report.html", report_page(runs));
+    write_report(folder / "report.html", runs);
   }
 }
 

@@ -144,7 +144,8 @@ SeasonalForecaster::Prediction SeasonalForecaster::predict(int minute, int tau) 
     }
   }
   const Outlook city_ahead = city.outlook(tau);
-  Prediction out{Eigen::MatrixXd::Zero(mean_.rows(), tau), Eigen::MatrixXd::Zero(mean_.rows(), tau)};
+  Prediction out{Eigen::MatrixXd::Zero(mean_.rows(), tau), Eigen::MatrixXd::Zero(mean_.rows(), tau),
+                 Eigen::VectorXd(tau)};
   for (Eigen::Index i = 0; i < mean_.rows(); ++i) {
     const Outlook ahead = regions[static_cast<std::size_t>(i)].outlook(tau);
     out.mean.row(i) = ahead.mean;
@@ -156,8 +157,9 @@ SeasonalForecaster::Prediction SeasonalForecaster::predict(int minute, int tau) 
     const Eigen::ArrayXd scale = scale_of(from);
     const Eigen::ArrayXd share = mean / std::sqrt(city_total(mean));
     out.mean.col(lead) = mean + share * city_ahead.mean(lead) + scale * out.mean.col(lead).array();
-    out.variance.col(lead) =
-        share.square() * city_ahead.variance(lead) + scale.square() * out.variance.col(lead).array();
+    const Eigen::ArrayXd own = scale.square() * out.variance.col(lead).array();
+    out.variance.col(lead) = share.square() * city_ahead.variance(lead) + own;
+    out.city_variance(lead) = share.sum() * share.sum() * city_ahead.variance(lead) + own.sum();
   }
   out.mean = out.mean.cwiseMax(0.0);
   return out;

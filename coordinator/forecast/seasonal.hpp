@@ -61,10 +61,11 @@ class SeasonalForecaster : public Forecaster {
   Eigen::MatrixXd forecast(int minute, int tau) const override;
   Eigen::MatrixXd scale(int minute, int tau) const override;
 
-  /// The forecast, and what variance the model gives its errors, N x tau both.
+  /// The forecast, and what variance the model gives its errors.
   struct Prediction {
-    Eigen::MatrixXd mean;
-    Eigen::MatrixXd variance;
+    Eigen::MatrixXd mean;           ///< N x tau
+    Eigen::MatrixXd variance;       ///< N x tau
+    Eigen::VectorXd city_variance;  ///< of the sum over all regions, tau
   };
   Prediction predict(int minute, int tau) const;
 

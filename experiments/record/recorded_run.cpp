@@ -35,7 +35,9 @@ void read_summary(const fs::path& file, RecordedRun& run) {
   run.totals = json.at("totals").get<std::map<std::string, double>>();
 }
 
-void read_steps(const fs::path& file, RecordedRun& run) {
+/// The columns of a table by name, but for the first.
+std::map<std::string, std::vector<double>> read_columns(const fs::path& file) {
+  std::map<std::string, std::vector<double>> columns;
   std::istringstream lines(text_of_file(file));
   std::string line;
   std::getline(lines, line);
@@ -51,9 +53,15 @@ void read_steps(const fs::path& file, RecordedRun& run) {
       if (std::from_chars(cells[i].data(), end, value).ptr != end) {
         throw bad_input(file.string(), number, "`" + cells[i] + "` is no number");
       }
-      run.steps[names[i]].push_back(value);
+      columns[names[i]].push_back(value);
     }
   }
+  return columns;
+}
+
+/// A column of regions.csv, which goes through the regions of a step before the next step.
+Eigen::MatrixXd by_region(const std::vector<double>& column, int regions) {
+  return Eigen::Map<const Eigen::MatrixXd>(column.data(), regions, static_cast<Eigen::Index>(column.size()) / regions);
 }
 
 void read_faults(const fs::path& file, RecordedRun& run) {
@@ -77,7 +85,10 @@ RecordedRun read_run(const fs::path& folder) {
   run.folder = folder;
   try {
     read_summary(folder / "summary.json", run);
-    read_steps(folder / "steps.csv", run);
+    run.steps = read_columns(folder / "steps.csv");
+    const auto regions = read_columns(folder / "regions.csv");
+    run.demand = by_region(regions.at("demand"), run.regions);
+    run.completions = by_region(regions.at("completions"), run.regions);
     read_faults(folder / "run.sqlite", run);
   } catch (const nlohmann::json::exception& error) {
     throw bad_input((folder / "summary.json").string() + ": " + error.what());

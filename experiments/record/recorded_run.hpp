@@ -2,6 +2,8 @@
 
 #include "experiments/record/day_file.hpp"
 
+#include <Eigen/Core>
+
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -29,6 +31,8 @@ struct RecordedRun {
   double wall_seconds = 0.0;
   std::map<std::string, double> totals;              ///< by metric
   std::map<std::string, std::vector<double>> steps;  ///< columns of steps.csv, but for `start`
+  Eigen::MatrixXd demand;                            ///< passengers who appeared, regions x steps
+  Eigen::MatrixXd completions;                       ///< charging sessions that ended charged, regions x steps
   std::vector<RequestedFault> faults;
 };
 

@@ -117,6 +117,7 @@ TEST(SeasonalForecaster, KnowsHowFarItMayBeOff) {
   model.region.assign(4, autoregression(0.5));
   const auto ahead = SeasonalForecaster(model, DayKind::weekday).predict(0, 1);
   EXPECT_NEAR(ahead.variance(0, 0), (2.0 * 36.0 / 24.0 + 6.25) / 0.75, 1e-12);
+  EXPECT_NEAR(ahead.city_variance(0), (2.0 * 24.0 + 4.0 * 6.25) / 0.75, 1e-12) << "what the city shares adds up";
 }
 
 TEST(SeasonalForecaster, NeverForecastsLessThanNothing) {

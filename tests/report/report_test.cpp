@@ -30,7 +30,7 @@ std::size_t count(const std::string& text, const std::string& part) {
 }
 
 TEST(Report, HoldsTheRunsAndEveryFaultOnce) {
-  const std::string page = report_page({small_run("nominal"), small_run("robust")});
+  const std::string page = report_page({small_run("nominal"), small_run("robust")}, {});
   EXPECT_NE(page.find("\"idle_km\":[5.25,7.25]"), std::string::npos);
   EXPECT_NE(page.find("\"label\":\"robust\""), std::string::npos);
   EXPECT_EQ(count(page, "\"name\":\"spike\""), 1);
@@ -39,12 +39,27 @@ TEST(Report, HoldsTheRunsAndEveryFaultOnce) {
 TEST(Report, TellsRunsOfOneControllerApart) {
   auto other = small_run("robust");
   other.folder = "runs/robust-2";
-  const std::string page = report_page({small_run("robust"), other});
+  const std::string page = report_page({small_run("robust"), other}, {});
   EXPECT_NE(page.find("\"label\":\"robust (robust-2)\""), std::string::npos);
 }
 
+TEST(Report, ShowsWhatWasForecast) {
+  SeasonalModel model;
+  model.mean.fill(Eigen::MatrixXd::Constant(2, 3, 4.0));
+  model.region.resize(2);
+  model.city.variance = 2.0;
+  const Eigen::MatrixXd counts = (Eigen::MatrixXd(2, 3) << 1, 2, 3, 5, 6, 7).finished();
+  ForecastFigure figure = forecast_figure(model, DayKind::weekday, 0, counts);
+  EXPECT_EQ(figure.observed, Eigen::Vector3d(6.0, 8.0, 10.0));
+  EXPECT_EQ(figure.forecast, Eigen::Vector3d(8.0, 8.0, 8.0));
+  EXPECT_TRUE(figure.deviation.isApprox(Eigen::Vector3d(4.0, 4.0, 4.0)));
+  figure.title = "Demand";
+  const std::string page = report_page({small_run("robust")}, {figure});
+  EXPECT_NE(page.find("\"observed\":[6.0,8.0,10.0],\"forecast\":[8.0,8.0,8.0]"), std::string::npos);
+}
+
 TEST(Report, NeedsNothingButItself) {
-  const std::string page = report_page({small_run("robust")});
+  const std::string page = report_page({small_run("robust")}, {});
   EXPECT_NE(page.find("Chart.js v"), std::string::npos);
   for (const char* outside : {" src=", "<link", "@import", "fetch("}) {
     EXPECT_EQ(page.find(outside), std::string::npos) << outside;
@@ -55,7 +70,7 @@ TEST(Report, NeedsNothingButItself) {
 TEST(Report, RefusesRunsOfDifferentClocks) {
   auto other = small_run("robust");
   other.step_minutes = 15;
-  EXPECT_THROW(report_page({small_run("nominal"), other}), Error);
+  EXPECT_THROW(report_page({small_run("nominal"), other}, {}), Error);
 }
 
 }  // namespace

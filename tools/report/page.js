@@ -112,6 +112,31 @@ function datasets(figure) {
   }));
 }
 
+// What a day brought, step by step, over what was forecast of it and twice the standard deviation around that.
+function forecastDatasets(forecast) {
+  const points = value => forecast.observed.map((_, step) =>
+    ({x: dayStart + (step + 0.5) * report.step_minutes, y: Math.max(0, value(step))}));
+  const line = (label, i, value, more) =>
+    ({label, data: points(value), borderColor: colour(i), backgroundColor: colour(i), borderWidth: 2.2, pointRadius: 0, ...more});
+  const edge = (label, sign, fill) => line(label, 1, step => forecast.forecast[step] + sign * 2 * forecast.deviation[step],
+    {borderWidth: 0, backgroundColor: colour(1) + "30", fill});
+  return [
+    line("real", 0, step => forecast.observed[step], {pointRadius: 2.5}),
+    line("forecast one step before", 1, step => forecast.forecast[step], {borderDash: dashes[1]}),
+    edge("", 1, false),
+    edge("± 2 standard deviations", -1, "-1"),
+  ];
+}
+
+function forecastOptions(forecast) {
+  const chosen = options({axis: forecast.unit});
+  chosen.plugins.legend = {...chosen.plugins.legend, display: true};
+  chosen.plugins.legend.labels.filter = item => item.text !== "";
+  chosen.plugins.legend.labels.boxHeight = 8;
+  chosen.plugins.tooltip = {filter: item => item.datasetIndex < 2, callbacks: {title: items => clock(items[0].parsed.x)}};
+  return chosen;
+}
+
 let charts = [];
 
 function draw() {
@@ -119,6 +144,9 @@ function draw() {
   charts = figures.map((figure, i) => new Chart(document.getElementById("figure-" + i), {
     type: "line", data: {datasets: datasets(figure)}, options: options(figure), plugins: [windows],
   }));
+  report.forecasts.forEach((forecast, i) => charts.push(new Chart(document.getElementById("forecast-" + i), {
+    type: "line", data: {datasets: forecastDatasets(forecast)}, options: forecastOptions(forecast), plugins: [windows],
+  })));
   document.querySelectorAll(".swatch").forEach((swatch, i) => { swatch.style.background = colour(i); });
 }
 
@@ -208,19 +236,23 @@ function fillWords() {
   }
 }
 
+function addFigure(id, title, axis, note) {
+  const card = element("figure", "", "card");
+  card.style.margin = 0;
+  const frame = element("div", "", "chart");
+  const canvas = element("canvas");
+  canvas.id = id;
+  canvas.setAttribute("role", "img");
+  canvas.setAttribute("aria-label", title + ", " + axis);
+  frame.append(canvas);
+  card.append(element("h2", title), element("p", note), frame);
+  document.getElementById("figures").append(card);
+}
+
 function addFigures() {
-  figures.forEach((figure, i) => {
-    const card = element("figure", "", "card");
-    card.style.margin = 0;
-    const frame = element("div", "", "chart");
-    const canvas = element("canvas");
-    canvas.id = "figure-" + i;
-    canvas.setAttribute("role", "img");
-    canvas.setAttribute("aria-label", figure.title + ", " + figure.axis + ", by hour");
-    frame.append(canvas);
-    card.append(element("h2", figure.title), element("p", figure.note), frame);
-    document.getElementById("figures").append(card);
-  });
+  figures.forEach((figure, i) => addFigure("figure-" + i, figure.title, figure.axis + ", by hour", figure.note));
+  report.forecasts.forEach((forecast, i) => addFigure("forecast-" + i, forecast.title, forecast.unit,
+    "The whole city, " + report.runs[0].label + "; faults are in what came, not in the forecast."));
 }
 
 fillWords();

@@ -65,6 +65,19 @@ Json runs_json(const std::vector<RecordedRun>& runs) {
   return all;
 }
 
+Json forecasts_json(const std::vector<ForecastFigure>& forecasts) {
+  const auto numbers = [](const Eigen::VectorXd& vector) { return std::vector<double>(vector.begin(), vector.end()); };
+  Json all = Json::array();
+  for (const ForecastFigure& figure : forecasts) {
+    all.push_back({{"title", figure.title},
+                   {"unit", figure.unit},
+                   {"observed", numbers(figure.observed)},
+                   {"forecast", numbers(figure.forecast)},
+                   {"deviation", numbers(figure.deviation)}});
+  }
+  return all;
+}
+
 /// JSON that may stand within a script element.
 std::string script_safe(const Json& json) {
   std::string text = json.dump();
@@ -80,7 +93,7 @@ std::string filled(std::string page, std::string_view place, std::string_view co
 
 }  // namespace
 
-std::string report_page(const std::vector<RecordedRun>& runs) {
+std::string report_page(const std::vector<RecordedRun>& runs, const std::vector<ForecastFigure>& forecasts) {
   for (const auto& run : runs) {
     if (run.step_minutes != runs.front().step_minutes || run.day_start != runs.front().day_start ||
         run.steps.at("step").size() != runs.front().steps.at("step").size()) {
@@ -91,6 +104,7 @@ std::string report_page(const std::vector<RecordedRun>& runs) {
   const Json data = {{"day_start", runs.front().day_start},
                      {"step_minutes", runs.front().step_minutes},
                      {"runs", runs_json(runs)},
+                     {"forecasts", forecasts_json(forecasts)},
                      {"faults", faults_json(runs)}};
   std::string page = filled(page_html, "/*DATA*/", script_safe(data));
   page = filled(std::move(page), "/*PAGE_JS*/", page_js);

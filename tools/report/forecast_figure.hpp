@@ -1,0 +1,24 @@
+#pragma once
+
+#include "coordinator/forecast/seasonal.hpp"
+
+#include <Eigen/Core>
+
+#include <string>
+
+namespace evbal {
+
+/// What a day brought to the whole city in each step, and what was forecast of it one step before (paper, the figure of
+/// ARIMA's prediction against history).
+struct ForecastFigure {
+  std::string title;
+  std::string unit;
+  Eigen::VectorXd observed;
+  Eigen::VectorXd forecast;
+  Eigen::VectorXd deviation;  ///< standard deviation of the forecast's error, by the model
+};
+
+/// Lives through `counts` (N x steps) of a day that starts `start` minutes after the model's.
+ForecastFigure forecast_figure(const SeasonalModel& model, DayKind kind, int start, const Eigen::MatrixXd& counts);
+
+}  // namespace evbal
