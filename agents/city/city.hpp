@@ -2,8 +2,9 @@
 
 #include <Eigen/Core>
 
+#include <cstdint>
 #include <filesystem>
-#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -63,6 +64,25 @@ struct PassengerAssumption {
   double patience_high = 0.0;
 };
 
+/// What stands in for records that a city lacks: demand and travel as factors, which a pack keeps in place of a table
+/// of every day and of every pair.
+struct CityFactors {
+  /// Demand of a pair in a step of a day is a Poisson draw around pairs x share x course(day, step) x the origin's
+  /// deviation on that day, which is log-normal with mean 1.
+  std::vector<TripCount> pairs;   ///< trips of a whole day on record, by (origin, destination)
+  double share = 1.0;             ///< of these trips that the fleet is asked for
+  Eigen::MatrixXd course;         ///< days x steps: share of a mean day's trips that start then
+  double region_deviation = 0.0;  ///< standard deviation of a region's pick-ups on a day, relative
+  std::uint64_t seed = 1;         ///< of the draws
+
+  /// km = detour * sqrt(D^2 + s_from^2 + s_to^2), the root mean square distance of two random places, with D between
+  /// the centroids and s the spread around each; minutes = start_minutes + minutes_per_km * km.
+  double detour = 1.0;
+  double start_minutes = 0.0;
+  double minutes_per_km = 0.0;
+  std::vector<double> spread_km;  ///< by region
+};
+
 /// A city as read from a pack. Matrices are N x N, row = from, column = to; the diagonal is a trip within the region.
 struct City {
   std::string name;
@@ -81,6 +101,7 @@ struct City {
   FleetAssumption fleet;
   ChargingAssumption charging;
   PassengerAssumption passengers;
+  std::optional<CityFactors> factors;  ///< where the pack has no tables
 
   int size() const { return static_cast<int>(regions.size()); }
 
@@ -97,10 +118,12 @@ struct City {
 /// Reads a city pack (docs/city-packs.md). Throws Error{bad_input} with file, line and reason.
 City read_city(const std::filesystem::path& folder);
 
-/// Reads one day of demand. Throws Error{bad_input} if the day is not on record (naming those that are) or malformed.
+/// Reads one day of demand, or draws it from the city's factors. Throws Error{bad_input} if the day is not on record
+/// (naming those that are) or malformed.
 DemandDay read_demand(const City& city, const std::string& date);
 
-/// Writes a pack that read_city and read_demand give back; `days` are those of `city.days`, in that order. The folder
+/// Writes a pack that read_city and read_demand give back; `days` are those of `city.days`, in that order, or none for
+/// a city of factors. The folder
 /// must not exist or be empty: else Error{bad_input}. A pack that cannot be written throws Error{run_failed} and leaves
 /// nothing behind.
 void write_city(const City& city, const std::vector<DemandDay>& days, const std::filesystem::path& folder);

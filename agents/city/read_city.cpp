@@ -1,4 +1,5 @@
 #include "agents/city/city.hpp"
+#include "agents/city/factors.hpp"
 #include "agents/city/pack_keys.hpp"
 #include "agents/city/regions_file.hpp"
 #include "agents/city/table.hpp"
@@ -78,8 +79,14 @@ City read_city(const std::filesystem::path& folder) {
   city.charging = read_charging(map.require("charging"));
   city.passengers = read_passengers(map.require("passengers"));
   city.stations = read_stations(map.require("stations"), city.regions);
+  const auto factors = map.find("factors");
   map.finish();
-  read_travel(folder / "travel.csv", city);
+  if (factors) {
+    city.factors = read_factors(*factors, city);
+    set_travel(city);
+  } else {
+    read_travel(folder / "travel.csv", city);
+  }
   return city;
 }
 

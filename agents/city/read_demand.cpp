@@ -1,4 +1,5 @@
 #include "agents/city/city.hpp"
+#include "agents/city/factors.hpp"
 #include "agents/city/table.hpp"
 
 #include <algorithm>
@@ -44,6 +45,9 @@ DemandDay read_demand(const City& city, const std::string& date) {
       known += (known.empty() ? "" : ", ") + day;
     }
     throw bad_input("city " + city.name + " has no day `" + date + "`; choose one of " + known);
+  }
+  if (city.factors) {
+    return drawn_day(city, date);
   }
   PackTable table(city.folder / "demand" / (date + ".csv"), "step,origin,destination,trips");
   const bool holiday = std::binary_search(city.holidays.begin(), city.holidays.end(), date);

@@ -1,4 +1,5 @@
 #include "agents/city/city.hpp"
+#include "agents/city/factors.hpp"
 #include "agents/city/pack_text.hpp"
 #include "agents/city/regions_file.hpp"
 #include "agents/city/table.hpp"
@@ -47,7 +48,8 @@ std::string city_yaml(const City& city) {
       << "passengers:\n"
       << "  patience: [" << minutes(city.passengers.patience_low) << ", " << minutes(city.passengers.patience_high)
       << "]\n"
-      << stations_yaml(city.stations, city.regions) << "regions: " << city.size() << "\n";
+      << stations_yaml(city.stations, city.regions) << (city.factors ? factors_yaml(*city.factors) : "")
+      << "regions: " << city.size() << "\n";
   return out.str();
 }
 
@@ -79,13 +81,17 @@ std::string demand_csv(const DemandDay& day) {
 }  // namespace
 
 void write_city(const City& city, const std::vector<DemandDay>& days, const std::filesystem::path& folder) {
-  assert(city.days.size() == days.size());
+  assert(days.size() == (city.factors ? 0 : city.days.size()));
   NewFolder pack(folder);
   std::error_code ignored;  // the files would say
   std::filesystem::create_directory(pack.path() / "demand", ignored);
   write_text(pack.path() / "city.yaml", city_yaml(city));
   write_text(pack.path() / "regions.geojson", regions_geojson(city.regions));
-  write_text(pack.path() / "travel.csv", travel_csv(city));
+  if (city.factors) {
+    write_factor_tables(city, pack.path());
+  } else {
+    write_text(pack.path() / "travel.csv", travel_csv(city));
+  }
   for (const auto& day : days) {
     write_text(pack.path() / "demand" / (day.date + ".csv"), demand_csv(day));
   }

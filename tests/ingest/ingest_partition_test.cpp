@@ -75,7 +75,8 @@ void expect_refused(const std::filesystem::path& file, const ZoneFields& fields,
 
 TEST(IngestPartition, BalancesTheChosenField) {
   const Folder folder;
-  const Partition made = ingest_partition(folder.write("zones.geojson", geojson(0.0)), {"id", "jobs"}, 2);
+  const Partition made =
+      partition_zones(read_bordering_zones(folder.write("zones.geojson", geojson(0.0)), {"id", "jobs"}), 2);
   EXPECT_EQ(made.region_of[1], made.region_of[6]) << "the one far out belongs to the nearest";
   EXPECT_NE(made.region_of[0], made.region_of[1]) << "the heavy one weighs as much as all others";
   EXPECT_EQ(zones_csv(made).substr(0, 18), "zone,region\na," + made.regions[made.region_of[0]].name + "\n");
@@ -85,9 +86,10 @@ TEST(IngestPartition, BalancesTheChosenField) {
 
 TEST(IngestPartition, MakesOneRegionOfEachZone) {
   const Folder folder;
-  const Partition made = ingest_partition(folder.write("zones.geojson", geojson(0.0)), {}, kSquares);
+  const Partition made =
+      partition_zones(read_bordering_zones(folder.write("zones.geojson", geojson(0.0)), {}), kSquares);
   EXPECT_EQ(std::set<int>(made.region_of.begin(), made.region_of.end()).size(), kSquares);
-  EXPECT_THROW(ingest_partition(folder.path() / "zones.geojson", {}, kSquares + 1), Error);
+  EXPECT_THROW(partition_zones(made.zones, kSquares + 1), Error);
 }
 
 TEST(IngestPartition, SharesBordersThatNearlyTouch) {
@@ -95,7 +97,7 @@ TEST(IngestPartition, SharesBordersThatNearlyTouch) {
   constexpr double kFiveMetres = 5e-5;
   const auto file = folder.write("zones.geojson", geojson(kFiveMetres));
   EXPECT_TRUE(neighbours_of(read_zones(file))[1].empty());
-  const Partition made = ingest_partition(file, {}, 1);
+  const Partition made = partition_zones(read_bordering_zones(file, {}), 1);
   EXPECT_EQ(neighbours_of(made.zones)[1], (std::vector<int>{0, 2}));
   EXPECT_EQ(made.regions[0].outline.size(), 2U) << "all in a row, and the one far out";
 }

@@ -23,12 +23,12 @@ class IngestStations : public testing::Test {
  protected:
   IngestedStations ingest(const std::string& rows) {
     folder_.write("stations.csv", "id,longitude,latitude,plugs\n" + rows);
-    return ingest_stations({folder_.path() / "stations.csv", folder_.path() / "format.yaml"}, regions(), 500.0);
+    YamlMap map(YamlValue::parse(format_, "format.yaml"));
+    return ingest_stations(folder_.path() / "stations.csv", read_station_format(map), regions(), 500.0);
   }
 
   Folder folder_;
-  std::filesystem::path format_ =
-      folder_.write("format.yaml", "columns: {name: id, lat: latitude, lon: longitude, points: plugs}\n");
+  std::string format_ = "columns: {name: id, lat: latitude, lon: longitude, points: plugs}\n";
 };
 
 TEST_F(IngestStations, LieInTheirRegionOrTheNearest) {
@@ -68,7 +68,7 @@ TEST_F(IngestStations, AreWrittenAsAPackHoldsThem) {
 }
 
 TEST_F(IngestStations, AreRefusedWithoutTheirColumns) {
-  folder_.write("format.yaml", "columns: {name: id, lat: latitude, lon: longitude, points: plug}\n");
+  format_ = "columns: {name: id, lat: latitude, lon: longitude, points: plug}\n";
   try {
     ingest("a,114.005,22.505,2\n");
     FAIL() << "was accepted";
@@ -77,7 +77,7 @@ TEST_F(IngestStations, AreRefusedWithoutTheirColumns) {
               std::string::npos)
         << error.what();
   }
-  folder_.write("format.yaml", "columns: {name: id, lat: latitude, lon: longitude, points: plugs}\n");
+  format_ = "columns: {name: id, lat: latitude, lon: longitude, points: plugs}\n";
   EXPECT_THROW(ingest("far,114.05,22.505,1\n"), Error);
 }
 

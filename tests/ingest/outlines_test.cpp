@@ -83,6 +83,14 @@ TEST(MergedOutlines, KeepCommonBordersCommon) {
   EXPECT_NEAR(area_of(coarse[0]) + area_of(coarse[1]), 200e-6, 1e-12);
 }
 
+TEST(MergedOutlines, BearZonesThatOverlap) {
+  // The second zone lies within the first and shares two of its edges.
+  const std::vector<Zone> zones{rectangle(0, 0, 2, 1), rectangle(0, 0, 1, 1), rectangle(2, 0, 3, 1)};
+  const auto apart = merged_outlines(zones, std::vector<int>{0, 1, 0}, 2, 1.0);
+  EXPECT_NEAR(area_of(apart[0]), 3e-6, 1e-12);
+  EXPECT_NEAR(area_of(apart[1]), 1e-6, 1e-12);
+}
+
 TEST(MergedOutlines, DropSlivers) {
   const std::vector<Zone> zones{rectangle(0, 0, 100, 100), rectangle(200, 0, 205, 5)};
   const auto outlines = merged_outlines(zones, std::vector<int>{0, 0}, 1, 1.0);

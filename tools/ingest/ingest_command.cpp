@@ -6,6 +6,7 @@
 #include "common/error.hpp"
 #include "common/new_folder.hpp"
 #include "tools/gps/ingest_gps.hpp"
+#include "tools/ingest/ingest_od.hpp"
 #include "tools/ingest/ingest_partition.hpp"
 #include "tools/ingest/ingest_stations.hpp"
 #include "tools/ingest/ingest_trips.hpp"
@@ -59,6 +60,30 @@ void add_synthetic(CLI::App& ingest) {
   });
 }
 
+void add_od(CLI::App& ingest) {
+  struct Arguments {
+    OdSources sources;
+    std::string out;
+  };
+  const auto arguments = std::make_shared<Arguments>();
+  OdSources& sources = arguments->sources;
+  CLI::App* command = ingest.add_subcommand("od", "Make a city of one day's trips without their time of day");
+  command->add_option("--trips", sources.trips, "Table of trips between cells, .csv, plain or compressed")->required();
+  command->add_option("--zones", sources.zones, "Polygons to merge: GeoJSON or a shapefile")->required();
+  command->add_option("--stations", sources.stations, "Table of stations, .csv, plain or compressed")->required();
+  command->add_option("--like", sources.like, "Pack of the city that lends its days")->required();
+  command->add_option("--notes", sources.notes, "YAML of what the tables do not say")->required();
+  command->add_option("--regions", sources.regions, "Number of regions")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 5000));
+  command->add_option("--out", arguments->out, "Folder of the new pack")->required();
+  command->callback([arguments] {
+    const OdCity made = ingest_od(arguments->sources);
+    write_city(made.city, {}, arguments->out);
+    std::cout << made.report << "wrote " << arguments->out << "\n";
+  });
+}
+
 void add_trips(CLI::App& ingest) {
   struct Arguments {
     TripSources sources;
@@ -99,7 +124,8 @@ void add_partition(CLI::App& ingest) {
   command->add_option("--out", arguments->out, "New folder for regions.geojson and zones.csv")->required();
   command->callback([arguments] {
     NewFolder folder(arguments->out);
-    const Partition made = ingest_partition(arguments->zones, arguments->fields, arguments->regions);
+    const Partition made =
+        partition_zones(read_bordering_zones(arguments->zones, arguments->fields), arguments->regions);
     write_text(folder.path() / "regions.geojson", regions_geojson(made.regions));
     write_text(folder.path() / "zones.csv", zones_csv(made));
     folder.keep();
@@ -109,16 +135,16 @@ void add_partition(CLI::App& ingest) {
 
 void add_stations(CLI::App& ingest) {
   struct Arguments {
-    StationSources sources;
+    std::string table;
+    std::string format;
     std::string regions;
     double snap_m = 500.0;
     std::string out;
   };
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = ingest.add_subcommand("stations", "Put charging stations into the regions that they lie in");
-  command->add_option("--stations", arguments->sources.table, "Table of stations, .csv, plain or compressed")
-      ->required();
-  command->add_option("--format", arguments->sources.format, "YAML of where its columns are")->required();
+  command->add_option("--stations", arguments->table, "Table of stations, .csv, plain or compressed")->required();
+  command->add_option("--format", arguments->format, "YAML of where its columns are")->required();
   command->add_option("--regions", arguments->regions, "regions.geojson of a pack or of `ingest partition`")
       ->required();
   command->add_option("--snap", arguments->snap_m, "Metres outside all regions up to which the nearest takes a station")
@@ -130,7 +156,10 @@ void add_stations(CLI::App& ingest) {
       throw bad_input(arguments->out, 0, "exists; give a new file");
     }
     const std::vector<Region> regions = read_regions(arguments->regions);
-    const IngestedStations made = ingest_stations(arguments->sources, regions, arguments->snap_m);
+    YamlMap map(YamlValue::load(arguments->format));
+    const StationFormat format = read_station_format(map);
+    map.finish();
+    const IngestedStations made = ingest_stations(arguments->table, format, regions, arguments->snap_m);
     write_text(arguments->out, stations_yaml(made.stations, regions));
     std::cout << made.report << "wrote " << arguments->out << "\n";
   });
@@ -182,6 +211,7 @@ void add_ingest_command(CLI::App& app) {
   CLI::App* ingest = app.add_subcommand("ingest", "Make a city pack from raw records or from a seed");
   ingest->require_subcommand(1);
   add_gps(*ingest);
+  add_od(*ingest);
   add_partition(*ingest);
   add_stations(*ingest);
   add_trips(*ingest);

@@ -64,9 +64,13 @@ std::string field(const std::string& text) {
 
 }  // namespace
 
-Partition ingest_partition(const std::filesystem::path& zones, const ZoneFields& fields, int regions) {
+std::vector<Zone> read_bordering_zones(const std::filesystem::path& file, const ZoneFields& fields) {
+  return with_shared_borders(read_zones(file, fields), kBorderTolerance);
+}
+
+Partition partition_zones(std::vector<Zone> zones, int regions) {
   Partition made;
-  made.zones = with_shared_borders(read_zones(zones, fields), kBorderTolerance);
+  made.zones = std::move(zones);
   MergedZones merged = merge_all_zones(made.zones, regions);
   made.region_of = std::move(merged.region_of);
   const auto outlines = merged_outlines(made.zones, made.region_of, regions, kOutlineTolerance);

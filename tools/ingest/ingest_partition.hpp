@@ -16,9 +16,12 @@ struct Partition {
   std::string report;           ///< what was read and what came of it; one item a line
 };
 
-/// Merges the zones of a file (read_zones) into connected, compact regions of about equal weight; with as many regions
-/// as zones each becomes one. Borders that run along each other within 10 m become one. Throws Error{bad_input}.
-Partition ingest_partition(const std::filesystem::path& zones, const ZoneFields& fields, int regions);
+/// read_zones, with borders that run along each other within 10 m made one.
+std::vector<Zone> read_bordering_zones(const std::filesystem::path& file, const ZoneFields& fields);
+
+/// Merges such zones into connected, compact regions of about equal weight; with as many regions as zones each becomes
+/// one. Throws Error{bad_input} if there are fewer zones.
+Partition partition_zones(std::vector<Zone> zones, int regions);
 
 /// `zone,region`: for each zone its name and its region's, in the order of the file.
 std::string zones_csv(const Partition& partition);

@@ -2,7 +2,6 @@
 
 #include "agents/city/geometry.hpp"
 #include "agents/city/table.hpp"
-#include "tools/records/raw_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,29 +13,6 @@ namespace evbal {
 namespace {
 
 constexpr int kMostPoints = 10'000;
-
-/// Where the columns of a table of stations are.
-struct StationFormat {
-  TableFormat table;
-  std::size_t name = 0;
-  std::size_t lat = 0;
-  std::size_t lon = 0;
-  std::size_t points = 0;
-};
-
-StationFormat read_format(const std::filesystem::path& file) {
-  YamlMap map(YamlValue::load(file));
-  StationFormat format;
-  format.table = read_table_format(map);
-  YamlMap columns(map.require("columns"));
-  format.name = add_column(format.table, columns.require("name"));
-  format.lat = add_column(format.table, columns.require("lat"));
-  format.lon = add_column(format.table, columns.require("lon"));
-  format.points = add_column(format.table, columns.require("points"));
-  columns.finish();
-  map.finish();
-  return format;
-}
 
 /// Whether a text may stand in a pack: UTF-8 without control characters, not empty.
 bool is_plain(std::string_view text) {
@@ -98,28 +74,40 @@ class StationReader {
 
 }  // namespace
 
-IngestedStations ingest_stations(const StationSources& sources, const std::vector<Region>& regions, double snap_m) {
-  const StationFormat format = read_format(sources.format);
+StationFormat read_station_format(YamlMap& map) {
+  StationFormat format;
+  format.table = read_table_format(map);
+  YamlMap columns(map.require("columns"));
+  format.name = add_column(format.table, columns.require("name"));
+  format.lat = add_column(format.table, columns.require("lat"));
+  format.lon = add_column(format.table, columns.require("lon"));
+  format.points = add_column(format.table, columns.require("points"));
+  columns.finish();
+  return format;
+}
+
+IngestedStations ingest_stations(const std::filesystem::path& table, const StationFormat& format,
+                                 const std::vector<Region>& regions, double snap_m) {
   StationReader reader(format, outlines_of(regions), snap_m);
-  RawTable table(sources.table, format.table);
+  RawTable rows(table, format.table);
   long long read = 0;
   std::map<std::string, long long> dropped;
-  while (table.next()) {
+  while (rows.next()) {
     ++read;
-    const std::string reason = reader.add(table);
+    const std::string reason = reader.add(rows);
     if (!reason.empty()) {
       ++dropped[reason];
     }
   }
   if (reader.stations.empty()) {
-    throw bad_input(sources.table.string(), 0, "has no station in a region");
+    throw bad_input(table.string(), 0, "has no station in a region");
   }
   std::stable_sort(reader.stations.begin(), reader.stations.end(),
                    [](const Station& a, const Station& b) { return a.region < b.region; });
   std::ostringstream out;
   out << "stations read: " << read << "\n";
-  for (const auto& [reason, rows] : dropped) {
-    out << "  dropped, " << reason << ": " << rows << "\n";
+  for (const auto& [reason, count] : dropped) {
+    out << "  dropped, " << reason << ": " << count << "\n";
   }
   std::set<int> with_points;
   long long points = 0;

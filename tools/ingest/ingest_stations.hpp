@@ -1,6 +1,7 @@
 #pragma once
 
 #include "agents/city/city.hpp"
+#include "tools/records/raw_table.hpp"
 
 #include <filesystem>
 #include <string>
@@ -8,10 +9,17 @@
 
 namespace evbal {
 
-struct StationSources {
-  std::filesystem::path table;   ///< of stations, one a row
-  std::filesystem::path format;  ///< YAML: separator, header, columns {name, lat, lon, points} (docs/ingest.md)
+/// Where the columns of a table of stations are.
+struct StationFormat {
+  TableFormat table;
+  std::size_t name = 0;
+  std::size_t lat = 0;
+  std::size_t lon = 0;
+  std::size_t points = 0;
 };
+
+/// Reads the keys `separator`, `header` and `columns`: {name, lat, lon, points} (docs/ingest.md).
+StationFormat read_station_format(YamlMap& map);
 
 struct IngestedStations {
   std::vector<Station> stations;  ///< by region, then in the order of the table
@@ -20,6 +28,7 @@ struct IngestedStations {
 
 /// Puts the stations of a table into the regions that they lie in; those up to `snap_m` outside all regions into the
 /// nearest. Rows without points or too far out are dropped. Throws Error{bad_input}, also if no station remains.
-IngestedStations ingest_stations(const StationSources& sources, const std::vector<Region>& regions, double snap_m);
+IngestedStations ingest_stations(const std::filesystem::path& table, const StationFormat& format,
+                                 const std::vector<Region>& regions, double snap_m);
 
 }  // namespace evbal

@@ -14,19 +14,30 @@ constexpr int kNoRegion = -1;
 using Ring = std::vector<Corner>;
 using Edge = std::pair<Corner, Corner>;
 
-/// The region to the left of each directed edge.
-using Owners = std::map<Edge, int>;
-
-Owners edge_owners(const std::vector<Zone>& zones, std::span<const int> region_of) {
-  Owners owners;
+/// The edges of each region's zones.
+std::vector<std::vector<Edge>> edges_of(const std::vector<Zone>& zones, std::span<const int> region_of, int regions) {
+  std::vector<std::vector<Edge>> edges(regions);
   for (std::size_t z = 0; z < zones.size(); ++z) {
     if (region_of[z] == kNoRegion) {
       continue;
     }
     for (const auto& ring : zones[z].rings) {
       for (std::size_t i = 0; i < ring.size(); ++i) {
-        owners.emplace(Edge(ring[i], ring[(i + 1) % ring.size()]), region_of[z]);
+        edges[region_of[z]].emplace_back(ring[i], ring[(i + 1) % ring.size()]);
       }
+    }
+  }
+  return edges;
+}
+
+/// The region to the left of each directed edge.
+using Owners = std::map<Edge, int>;
+
+Owners edge_owners(const std::vector<std::vector<Edge>>& edges) {
+  Owners owners;
+  for (std::size_t region = 0; region < edges.size(); ++region) {
+    for (const Edge& edge : edges[region]) {
+      owners.emplace(edge, static_cast<int>(region));
     }
   }
   return owners;
@@ -38,12 +49,21 @@ int across(const Owners& owners, Corner a, Corner b) {
   return other == owners.end() ? kNoRegion : other->second;
 }
 
-/// Chains a region's border edges (those with another region across) into rings.
-std::vector<Ring> border_rings(const Owners& owners, int region, const std::vector<Edge>& border) {
-  std::map<Corner, std::set<Corner>> onward;
-  for (const auto& [a, b] : border) {
-    if (across(owners, a, b) != region) {
-      onward[a].insert(b);
+/// Chains a region's border into rings: the edges of its zones that no other of its zones has the other way round.
+std::vector<Ring> border_rings(const std::vector<Edge>& edges) {
+  std::map<Edge, int> times;  // zones may overlap
+  for (const auto& [a, b] : edges) {
+    const auto back = times.find({b, a});
+    if (back == times.end()) {
+      ++times[{a, b}];
+    } else if (--back->second == 0) {
+      times.erase(back);
+    }
+  }
+  std::map<Corner, std::multiset<Corner>> onward;
+  for (const auto& [edge, count] : times) {
+    for (int k = 0; k < count; ++k) {
+      onward[edge.first].insert(edge.second);
     }
   }
   std::vector<Ring> rings;
@@ -63,11 +83,14 @@ std::vector<Ring> border_rings(const Owners& owners, int region, const std::vect
   return rings;
 }
 
-/// Keeps outer rings that are large enough.
+/// Keeps outer rings that are large enough; all if there is no outer one, for zones drawn wrongly.
 void drop_slivers(std::vector<Ring>& rings) {
   double largest = 0.0;
   for (const auto& ring : rings) {
     largest = std::max(largest, signed_area(ring));
+  }
+  if (largest == 0.0) {
+    return;
   }
   std::erase_if(rings, [&](const Ring& ring) { return signed_area(ring) < kSmallestRing * largest; });
 }
@@ -147,15 +170,12 @@ std::vector<LatLon> simplified(const Owners& owners, Ring ring, const LocalFrame
 
 std::vector<Outline> merged_outlines(const std::vector<Zone>& zones, std::span<const int> region_of, int regions,
                                      double tolerance_m) {
-  const Owners owners = edge_owners(zones, region_of);
-  std::vector<std::vector<Edge>> edges(regions);
-  for (const auto& [edge, region] : owners) {
-    edges[region].push_back(edge);
-  }
+  const auto edges = edges_of(zones, region_of, regions);
+  const Owners owners = edge_owners(edges);
   const LocalFrame frame(zones.front().centre);
   std::vector<Outline> outlines;
   for (int region = 0; region < regions; ++region) {
-    auto rings = border_rings(owners, region, edges[region]);
+    auto rings = border_rings(edges[region]);
     drop_slivers(rings);
     Outline& outline = outlines.emplace_back();
     for (auto& ring : rings) {

@@ -1,0 +1,253 @@
+#include "tools/ingest/ingest_od.hpp"
+
+#include "agents/city/factors.hpp"
+#include "agents/city/geometry.hpp"
+#include "agents/city/table.hpp"
+#include "common/error.hpp"
+#include "tools/ingest/course.hpp"
+#include "tools/ingest/ingest_partition.hpp"
+#include "tools/ingest/od_notes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <sstream>
+
+namespace evbal {
+namespace {
+
+constexpr int kMostTrips = 1'000'000;
+
+double rounded(double value, double parts) {
+  return std::round(value * parts) / parts;
+}
+
+/// Trips between cells; a cell is told by the degrees of its centre.
+struct CellTrips {
+  std::vector<LatLon> cells;
+  std::map<std::pair<int, int>, long long> trips;  ///< by the positions of two cells
+  long long rows = 0;
+  long long malformed = 0;
+};
+
+class CellReader {
+ public:
+  explicit CellReader(const OdFormat& format) : format_(format) {}
+
+  CellTrips read(const std::filesystem::path& file) {
+    RawTable table(file, format_.table);
+    CellTrips all;
+    while (table.next()) {
+      ++all.rows;
+      const auto from = table.whole() ? cell(table, format_.from_lat, format_.from_lon, all) : std::nullopt;
+      const auto to = from ? cell(table, format_.to_lat, format_.to_lon, all) : std::nullopt;
+      const auto trips = to ? parse_integer(table.text(format_.trips)) : std::nullopt;
+      if (!trips || *trips < 1 || *trips > kMostTrips) {
+        ++all.malformed;
+      } else {
+        all.trips[{*from, *to}] += *trips;
+      }
+    }
+    return all;
+  }
+
+ private:
+  std::optional<int> cell(const RawTable& row, std::size_t lat_column, std::size_t lon_column, CellTrips& all) {
+    const auto lat = parse_number(row.text(lat_column));
+    const auto lon = parse_number(row.text(lon_column));
+    if (!lat || !lon) {
+      return std::nullopt;
+    }
+    const LatLon place{format_.first.lat + *lat * format_.step.lat, format_.first.lon + *lon * format_.step.lon};
+    if (!(std::abs(place.lat) <= 90.0 && std::abs(place.lon) <= 180.0)) {
+      return std::nullopt;
+    }
+    const auto [known, is_new] = known_.try_emplace({*lat, *lon}, static_cast<int>(all.cells.size()));
+    if (is_new) {
+      all.cells.push_back(place);
+    }
+    return known->second;
+  }
+
+  const OdFormat& format_;
+  std::map<std::pair<double, double>, int> known_;
+};
+
+/// The zone of each cell, -1 if it lies too far outside.
+std::vector<int> zones_of(const std::vector<LatLon>& cells, const std::vector<Zone>& zones, double snap_m) {
+  const OutlineMap map(outlines_of(zones));
+  std::vector<int> found;
+  found.reserve(cells.size());
+  for (const LatLon cell : cells) {
+    const auto nearest = map.nearest(cell);
+    found.push_back(nearest.metres <= snap_m ? nearest.outline : -1);
+  }
+  return found;
+}
+
+/// Where the trip ends of each region lie.
+class TripEnds {
+ public:
+  explicit TripEnds(const std::vector<Region>& regions) : frame_(regions.front().centroid), sums_(regions.size()) {}
+
+  void add(int region, LatLon place, double trips) {
+    const LocalPoint at = frame_.local(place);
+    Sums& sums = sums_[region];
+    sums.trips += trips;
+    sums.east += trips * at.east;
+    sums.north += trips * at.north;
+    sums.square += trips * (at.east * at.east + at.north * at.north);
+  }
+
+  /// Sets centroids to the mean trip end; regions without trips keep theirs. Returns the root mean square distance of
+  /// trip ends from it, km, with that within a cell of `cell_m` metres.
+  std::vector<double> place(std::vector<Region>& regions, double cell_m) const {
+    std::vector<double> spread;
+    for (std::size_t r = 0; r < regions.size(); ++r) {
+      const Sums& sums = sums_[r];
+      double square = cell_m * cell_m / 6.0;
+      if (sums.trips > 0.0) {
+        const LocalPoint mean{sums.east / sums.trips, sums.north / sums.trips};
+        const LatLon centroid = frame_.global(mean);
+        regions[r].centroid = {rounded(centroid.lat, 1e5), rounded(centroid.lon, 1e5)};
+        square += std::max(0.0, sums.square / sums.trips - mean.east * mean.east - mean.north * mean.north);
+      }
+      spread.push_back(rounded(std::sqrt(square) / 1000.0, 1e3));
+    }
+    return spread;
+  }
+
+ private:
+  struct Sums {
+    double trips = 0.0;
+    double east = 0.0;
+    double north = 0.0;
+    double square = 0.0;
+  };
+  LocalFrame frame_;
+  std::vector<Sums> sums_;
+};
+
+/// The stations' share of their points, in whole points by the largest remainders; stations left without are dropped.
+std::vector<Station> share_of(const std::vector<Station>& stations, double share) {
+  struct Part {
+    std::size_t station = 0;
+    double rest = 0.0;
+  };
+  std::vector<Station> kept = stations;
+  std::vector<Part> parts;
+  double total = 0.0;
+  int given = 0;
+  for (std::size_t s = 0; s < kept.size(); ++s) {
+    const double exact = share * kept[s].points;
+    total += exact;
+    kept[s].points = static_cast<int>(exact);
+    given += kept[s].points;
+    parts.push_back({s, exact - kept[s].points});
+  }
+  std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.rest > b.rest; });
+  const auto left = static_cast<std::size_t>(std::lround(total) - given);
+  for (std::size_t p = 0; p < std::min(left, parts.size()); ++p) {
+    ++kept[parts[p].station].points;
+  }
+  std::erase_if(kept, [](const Station& station) { return station.points == 0; });
+  return kept;
+}
+
+/// The days, their course and the lengths of charging sessions of the city `like`, into `city`.
+void take_days(const City& like, double within_day, City& city) {
+  city.day_start = like.day_start;
+  city.step_minutes = like.step_minutes;
+  city.days = like.days;
+  city.train_days = like.train_days;
+  city.test_days = like.test_days;
+  city.holidays = like.holidays;
+  city.charging.session_quantiles = like.charging.session_quantiles;
+  std::vector<DemandDay> days;
+  for (const auto& date : like.days) {
+    days.push_back(read_demand(like, date));
+  }
+  const Course course = course_of(days, like.size());
+  city.factors->course = (within_day * course.share).unaryExpr([](double share) { return rounded(share, 1e6); });
+  city.factors->region_deviation = rounded(course.region_deviation, 1e3);
+}
+
+/// Weighs zones by the trips that start in them.
+void weigh(const CellTrips& trips, const std::vector<int>& zone_of, std::vector<Zone>& zones) {
+  for (Zone& zone : zones) {
+    zone.weight = 0.0;
+  }
+  for (const auto& [cells, count] : trips.trips) {
+    if (zone_of[cells.first] >= 0) {
+      zones[zone_of[cells.first]].weight += static_cast<double>(count);
+    }
+  }
+}
+
+/// Trips between the regions of the city, which get their places from them.
+struct Pairs {
+  std::map<std::pair<int, int>, long long> trips;
+  long long used = 0;
+  long long outside = 0;
+};
+
+Pairs count_pairs(const CellTrips& trips, const std::vector<int>& zone_of, const std::vector<int>& region_of,
+                  double cell_m, City& city) {
+  Pairs pairs;
+  TripEnds ends(city.regions);
+  for (const auto& [cells, count] : trips.trips) {
+    const auto [from, to] = cells;
+    if (zone_of[from] < 0 || zone_of[to] < 0) {
+      pairs.outside += count;
+      continue;
+    }
+    const int origin = region_of[zone_of[from]];
+    const int destination = region_of[zone_of[to]];
+    pairs.used += count;
+    pairs.trips[{origin, destination}] += count;
+    ends.add(origin, trips.cells[from], static_cast<double>(count));
+    ends.add(destination, trips.cells[to], static_cast<double>(count));
+  }
+  city.factors->spread_km = ends.place(city.regions, cell_m);
+  for (const auto& [pair, count] : pairs.trips) {
+    city.factors->pairs.push_back({pair.first, pair.second, static_cast<int>(count)});
+  }
+  return pairs;
+}
+
+}  // namespace
+
+OdCity ingest_od(const OdSources& sources) {
+  OdNotes notes = read_od_notes(sources.notes);
+  const CellTrips trips = CellReader(notes.trips).read(sources.trips);
+  std::vector<Zone> zones = read_bordering_zones(sources.zones, {});
+  const std::vector<int> zone_of = zones_of(trips.cells, zones, notes.snap_m);
+  weigh(trips, zone_of, zones);
+  Partition partition = partition_zones(std::move(zones), sources.regions);
+
+  City city = std::move(notes.city);
+  city.name += "-" + std::to_string(sources.regions);
+  city.regions = std::move(partition.regions);
+  const Pairs pairs = count_pairs(trips, zone_of, partition.region_of, notes.trips.cell_m(), city);
+  if (pairs.used == 0) {
+    throw bad_input(sources.trips.string(), 0, "has no trip between two zones");
+  }
+  take_days(read_city(sources.like), notes.within_day, city);
+  const IngestedStations stations = ingest_stations(sources.stations, notes.stations, city.regions, notes.snap_m);
+  city.stations = share_of(stations.stations, notes.points_share);
+  set_travel(city);
+
+  std::ostringstream out;
+  out << "trip rows read: " << trips.rows << "\n"
+      << "  dropped, malformed row: " << trips.malformed << "\n"
+      << "trips: " << pairs.used + pairs.outside << "\n"
+      << "  dropped, an end outside the zones: " << pairs.outside << "\n"
+      << "trips used: " << pairs.used << " between " << pairs.trips.size() << " pairs of regions\n"
+      << partition.report << "region deviation from day to day: " << city.factors->region_deviation << "\n"
+      << stations.report << "points for the fleet: " << city.points().sum() << " at " << city.stations.size()
+      << " stations\n";
+  return {std::move(city), out.str()};
+}
+
+}  // namespace evbal
