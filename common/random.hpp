@@ -22,6 +22,7 @@ enum class Purpose : std::uint32_t {
   breakdown = 12,          ///< which vehicle breaks down
   sensor = 13,             ///< what a sensor says that does not measure
   resampled_day = 14,      ///< days drawn for an interval
+  lost_sample = 15,        ///< what the network loses
 };
 
 /// The place of a draw: who draws, when, and for which of several like things.

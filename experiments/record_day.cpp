@@ -55,7 +55,8 @@ std::unique_ptr<Players> players_of(const Scenario& scenario, const std::filesys
       [coordinator = coordinator_of(scenario)](const Tick& tick, const std::vector<Report>& reports) {
         return coordinator->plan(tick, reports);
       },
-      [&scenario](int tick) { return faults_at(scenario.schedule, scenario.world.clock, tick); });
+      [&scenario](int tick) { return faults_at(scenario.schedule, scenario.world.clock, tick); },
+      scenario.regions_per_process);
 }
 
 MetricsFrame frame_of(const Scenario& scenario) {

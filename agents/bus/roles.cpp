@@ -18,6 +18,14 @@ using namespace std::chrono_literals;
 constexpr auto nap = 1000ms;  // between looks at the clock while nothing comes
 constexpr auto glance = 2ms;  // between looks at who is connected
 
+bool attended(const Tick& tick) {
+  return !tick.unattended;
+}
+
+bool contains(const std::vector<std::int32_t>& regions, int region) {
+  return std::find(regions.begin(), regions.end(), region) != regions.end();
+}
+
 /// What an agent says in a tick.
 struct Answers {
   std::vector<Report> reports;
@@ -51,11 +59,22 @@ std::vector<Departures> ask_departures(const std::vector<HostedRegion>& regions,
   return ask<Departures>(regions, [&](const auto& region) { return region.live(plan); });
 }
 
+/// Whether a plan will come for any of the regions [first, last].
+bool waits_for_plan(const Tick& tick, int first, int last) {
+  const auto planned = [&](int region) {
+    return first <= region && region <= last && !contains(tick.unplanned, region);
+  };
+  return tick.plan_due && !tick.unattended && std::any_of(tick.due.begin(), tick.due.end(), planned);
+}
+
 Answers live_again(const std::vector<HostedRegion>& regions, const AgentEntry& told) {
   Answers said;
   begin(regions, told.tick);
   if (told.tick.plan_due) {
     said.reports = ask_reports(regions);
+  }
+  if (!attended(told.tick)) {
+    said.reports.clear();
   }
   said.departures = ask_departures(regions, told);
   return said;
@@ -70,11 +89,12 @@ void say_hello(Participant& participant, const std::string& name, Connected conn
   hello.write({.name = name, .process_id = getpid()});
 }
 
-/// Waits for the newest tick after `last`.
-Tick next_tick(Reader<Tick>& ticks, int last) {
+/// Waits for the newest tick after `last` that `concerns` the process.
+template <class Concerns>
+Tick next_tick(Reader<Tick>& ticks, int last, Concerns concerns) {
   for (;;) {
     auto come = ticks.take();
-    if (!come.empty() && come.back().tick > last) {
+    if (!come.empty() && come.back().tick > last && concerns(come.back())) {
       return std::move(come.back());
     }
     ticks.wait(nap);
@@ -93,11 +113,11 @@ Plan plan_of(Reader<Plan>& plans, int tick) {
 
 std::vector<Report> reports_of(Reader<std::vector<Report>>& reader, const Tick& tick) {
   std::map<int, Report> found;
-  const auto missing = [&](int region) { return !found.contains(region); };
+  const auto missing = [&](int region) { return !found.contains(region) && !contains(tick.unheard, region); };
   while (std::any_of(tick.due.begin(), tick.due.end(), missing)) {
     for (auto& batch : reader.take()) {
       for (auto& report : batch) {
-        if (report.tick == tick.tick) {
+        if (report.tick == tick.tick && missing(report.region)) {
           found.emplace(report.region, std::move(report));
         }
       }
@@ -129,11 +149,8 @@ void serve_agent(Participant& participant, const ProcessOptions& options, const 
   Reader<Plan> plans(participant);
   Writer<std::vector<Report>> report_writer(participant);
   Writer<std::vector<Departures>> departure_writer(participant);
-  say_hello(participant, options.name, [&] {
-    const int listeners = 2;  // the conductor records what the coordinator gets
-    return ticks.writers() > 0 && plans.writers() > 0 && report_writer.readers() >= listeners &&
-           departure_writer.readers() > 0;
-  });
+  say_hello(participant, options.name,
+            [&] { return ticks.writers() > 0 && report_writer.readers() > 0 && departure_writer.readers() > 0; });
   if (last >= 0) {
     if (!said.reports.empty()) {
       report_writer.write(said.reports);
@@ -141,12 +158,18 @@ void serve_agent(Participant& participant, const ProcessOptions& options, const 
     departure_writer.write(said.departures);
   }
   const int first = options.first_region;
+  const auto due = [&](const Tick& tick) { return contains(tick.due, first); };
   for (;;) {
-    AgentEntry told{.tick = for_regions(next_tick(ticks, last), first, options.last_region), .plan = {}};
+    AgentEntry told{.tick = for_regions(next_tick(ticks, last, due), first, options.last_region), .plan = {}};
     last = told.tick.tick;
     begin(regions, told.tick);
     if (told.tick.plan_due) {
-      report_writer.write(ask_reports(regions));
+      const auto reports = ask_reports(regions);
+      if (attended(told.tick)) {
+        report_writer.write(reports);
+      }
+    }
+    if (waits_for_plan(told.tick, first, options.last_region)) {
       told.plan.push_back(for_regions(plan_of(plans, last), first, options.last_region));
     }
     journal.append(to_bytes(told));
@@ -170,7 +193,7 @@ void serve_coordinator(Participant& participant, const ProcessOptions& options, 
     plans.write(last.plan);
   }
   for (;;) {
-    last.tick = next_tick(ticks, last.tick.tick);
+    last.tick = next_tick(ticks, last.tick.tick, attended);
     if (last.tick.plan_due) {
       last.reports = reports_of(reports, last.tick);
       last.plan = with_origin([&] { return planner.plan(last.tick, last.reports); });
@@ -186,7 +209,7 @@ void serve_injector(Participant& participant, const ProcessOptions& options,
   Reader<Tick> ticks(participant);
   Writer<Faults> writer(participant);
   say_hello(participant, options.name, [&] { return ticks.writers() > 0 && writer.readers() > 0; });
-  for (int tick = -1;; tick = next_tick(ticks, tick).tick) {
+  for (int tick = -1;; tick = next_tick(ticks, tick, attended).tick) {
     writer.write(with_origin([&] { return faults_of(tick + 1); }));
   }
 }

@@ -71,6 +71,9 @@ void pairs(const Copy& copy, Is<Tick> auto& own, auto& wire) {
   copy(own.tick, wire.tick());
   copy(own.plan_due, wire.plan_due());
   copy(own.due, wire.due());
+  copy(own.unheard, wire.unheard());
+  copy(own.unplanned, wire.unplanned());
+  copy(own.unattended, wire.unattended());
   copy(own.arrivals, wire.arrivals());
   copy(own.under_way, wire.under_way());
   copy(own.effects, wire.effects());

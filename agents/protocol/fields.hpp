@@ -78,6 +78,9 @@ void fields(Visit&& visit, Is<Tick> auto& m) {
   visit("tick", m.tick);
   visit("plan_due", m.plan_due);
   visit("due", m.due);
+  visit("unheard", m.unheard);
+  visit("unplanned", m.unplanned);
+  visit("unattended", m.unattended);
   visit("arrivals", m.arrivals);
   visit("under_way", m.under_way);
   visit("effects", m.effects);

@@ -61,8 +61,8 @@ enum class EffectType : std::uint8_t {
   sensor_noisy = 12,       ///< magnitude: standard deviation of what is added
   sensor_delayed = 13,     ///< magnitude: minutes by which the field is late
   sensor_off = 14,         ///< the field says nothing
-  process_kill = 15,       ///< the process is gone while this lasts
-  process_pause = 16,      ///< the process stands still while this lasts
+  process_kill = 15,       ///< the process is gone; magnitude: ticks until it is back
+  process_pause = 16,      ///< the process stands still; magnitude: ticks until it goes on
   process_slow = 17,       ///< magnitude: minutes by which the process is late with all that it says
   network_drop = 18,       ///< magnitude: probability that a sample is lost
   network_delay = 19,      ///< magnitude: minutes by which samples are late
@@ -139,8 +139,11 @@ struct Faults {
 /// Conductor to all: a tick begins.
 struct Tick {
   std::int32_t tick = 0;
-  bool plan_due = false;
-  std::vector<std::int32_t> due;    ///< regions that are waited for, ascending
+  bool plan_due = false;                ///< and the coordinator is there
+  std::vector<std::int32_t> due;        ///< regions that are waited for, ascending
+  std::vector<std::int32_t> unheard;    ///< those of them whose report does not reach the coordinator in time
+  std::vector<std::int32_t> unplanned;  ///< those that no plan reaches in time: they follow a rule of their own
+  bool unattended = false;  ///< the agents that are due were gone when this tick was: their regions lived it alone
   std::vector<Arrival> arrivals;    ///< during this tick, by (region, minute, vehicle)
   std::vector<UnderWay> under_way;  ///< after those arrivals, by (region, minute, errand)
   std::vector<Effect> effects;      ///< by (fault, region)

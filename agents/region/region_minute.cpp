@@ -157,6 +157,9 @@ void RegionPlant::serve_or_lose(int minute) {
 }
 
 bool RegionPlant::try_serve(const Passenger& passenger, int minute) {
+  if (incoming_.unattended) {
+    return false;
+  }
   const double needed = need_kwh_[passenger.destination] * factor(EffectType::fleet_drain, true);
   const auto car = std::lower_bound(state_.vacant.begin(), state_.vacant.end(), needed,
                                     [](const Vehicle& vehicle, double need) { return vehicle.battery_kwh < need; });

@@ -47,6 +47,7 @@ RegionPlant::RegionPlant(const World& world, int region, std::vector<Passenger> 
     need_kwh_.push_back((city.km(region, j) + way_km) / city.fleet.km_per_kwh);
     trip_minutes_.push_back(std::max(1, static_cast<int>(std::ceil(city.minutes(region, j)))));
   }
+  station_ = station[region];
   reserve_kwh_ = std::min(reserve(passengers_, need_kwh_, region), largest_reserve * city.fleet.battery_kwh);
   for (const auto& vehicle : vehicles) {
     settle(vehicle);
@@ -60,6 +61,8 @@ void RegionPlant::begin(const Tick& tick) {
   std::copy_if(tick.under_way.begin(), tick.under_way.end(), std::back_inserter(incoming_.under_way), here);
   std::copy_if(tick.effects.begin(), tick.effects.end(), std::back_inserter(incoming_.effects),
                [&](const Effect& effect) { return here(effect) && family_of(effect.type) <= FaultFamily::sensor; });
+  incoming_.unplanned = std::find(tick.unplanned.begin(), tick.unplanned.end(), region_) != tick.unplanned.end();
+  incoming_.unattended = tick.unattended;
   said_ = {};
   said_.tick = tick.tick;
   said_.region = region_;
@@ -99,7 +102,9 @@ Report RegionPlant::report() {
 }
 
 Departures RegionPlant::live(const Plan* plan) {
-  if (plan != nullptr) {
+  if (incoming_.unplanned && !incoming_.unattended) {
+    send_by_own_rule();
+  } else if (plan != nullptr) {
     send_off(*plan);
   }
   const int first = world_->clock.minute_of(said_.tick);
@@ -126,6 +131,12 @@ std::vector<VehiclePlace> RegionPlant::census() const {
   }
   std::sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.vehicle < b.vehicle; });
   return places;
+}
+
+void RegionPlant::send_by_own_rule() {
+  if (points_ == 0 && station_ >= 0) {
+    send_low_battery(station_, size_of(state_.queue));
+  }
 }
 
 void RegionPlant::send_off(const Plan& plan) {

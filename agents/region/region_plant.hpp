@@ -70,6 +70,9 @@ struct VehiclePlace {
 /// uniform and keyed by the passenger: the same passengers with and without the fault as far as it lets them. Added
 /// ones are Poisson by the minute and go where one of the region's passengers, drawn evenly, goes on this day.
 ///
+/// **Without a plan** that was due, low-battery cars of a region without points go to the nearest region that has some;
+/// all others stay. **Unattended**, a region goes on but for dispatch: cars charge, passengers wait, nobody sets off.
+///
 /// **Vehicles that break down** are vacant ones, drawn evenly, as soon as there are any, and come back as they were. A
 /// report that is not told counts them as vacant. Trips that cost more energy are begun as if they did not, unless the
 /// region is told: the battery ends at 0 then, at worst.
@@ -84,9 +87,8 @@ class RegionPlant {
   /// The region before anything moves, as its sensors say. Counts restart: call it once where a plan is due.
   Report report();
 
-  /// Sends off what the plan asks for as far as it is there, and lives through the tick's minutes.
-  /// `plan` is null where none is due; one of another
-  /// tick is refused as a whole.
+  /// Sends off what the plan asks for as far as it is there, and lives through the tick's minutes. `plan` is null where
+  /// none is due; one of another tick is refused as a whole.
   Departures live(const Plan* plan);
 
   int region() const { return region_; }
@@ -102,6 +104,8 @@ class RegionPlant {
     std::vector<Arrival> arrivals;    ///< by (minute, vehicle)
     std::vector<UnderWay> under_way;  ///< by (minute, errand)
     std::vector<Effect> effects;      ///< by fault
+    bool unplanned = false;           ///< see Tick, as the next
+    bool unattended = false;
   };
 
   double factor(EffectType type, bool visible_only) const;  ///< of all effects of a type together
@@ -115,6 +119,7 @@ class RegionPlant {
   void observe(EffectType type, double amount);  ///< adds to what the first effect of a type was seen to do
   void count_points();
 
+  void send_by_own_rule();
   void send_off(const Plan& plan);
   int send_vacant(int to, int count);
   int send_low_battery(int to, int count);
@@ -142,6 +147,7 @@ class RegionPlant {
   std::vector<double> trip_kwh_;  ///< to each region
   std::vector<double> need_kwh_;  ///< to each region and on to its nearest station
   std::vector<int> trip_minutes_;
+  int station_ = -1;          ///< nearest region with points, -1 if there is none
   double reserve_kwh_ = 0.0;  ///< a car with less is low-battery
 
   RegionState state_;

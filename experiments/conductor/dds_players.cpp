@@ -182,6 +182,32 @@ void DdsPlayers::look_after_processes() {
   }
 }
 
+void DdsPlayers::take_away(const Absences& away) {
+  for (const auto& [name, how] : away_) {
+    const auto now = away.find(name);
+    if (now == away.end() || now->second != how) {
+      bring_back(name, how);
+    }
+  }
+  await_hellos();
+  for (const auto& [name, how] : away) {
+    const auto before = away_.find(name);
+    if (before == away_.end() || before->second != how) {
+      how == Absence::killed ? supervisor_.kill(name) : supervisor_.stop(name);
+    }
+  }
+  away_ = away;
+}
+
+void DdsPlayers::bring_back(const std::string& name, Absence how) {
+  if (how == Absence::killed) {
+    supervisor_.start_again(name);
+    absent_.insert(name);
+  } else {
+    supervisor_.go_on(name);
+  }
+}
+
 Faults DdsPlayers::faults(int tick) {
   std::optional<Faults> found;
   await("faults of tick " + std::to_string(tick), topics_->faults, [&]() -> std::set<std::string> {
@@ -206,7 +232,7 @@ Exchange DdsPlayers::play(const Tick& tick) {
   };
   topics_->tick.write(tick);
   Exchange exchange;
-  if (tick.plan_due) {
+  if (tick.plan_due && !tick.unattended) {
     Collected<Report> reports(tick.tick, tick.due);
     await("report" + of_tick, topics_->reports, [&] {
       reports.add(topics_->reports.take());

@@ -53,6 +53,10 @@ class DdsPlayers : public Players {
 
   Faults faults(int tick) override;
   Exchange play(const Tick& tick) override;
+  int regions_per_process() const override { return run_.regions_per_process; }
+
+  /// By signals: SIGKILL; SIGSTOP and SIGCONT.
+  void take_away(const Absences& away) override;
 
   /// Of "agent-0", ..., "coordinator" or "faults".
   pid_t process_id(const std::string& name) const { return supervisor_.process_id(name); }
@@ -65,6 +69,7 @@ class DdsPlayers : public Players {
 
   void start_processes(BusAddress address);
   void await_hellos();
+  void bring_back(const std::string& name, Absence how);
   std::string host_of(int region) const;
 
   /// Starts again who died, hears who is back.
@@ -82,6 +87,7 @@ class DdsPlayers : public Players {
   std::set<std::string> absent_;  ///< from whom no hello has come since the start, or since its death
   std::map<std::string, std::chrono::steady_clock::time_point> deaths_;  ///< when one of the absent died
   std::vector<Incident> incidents_;
+  Absences away_;
   std::optional<Participant> participant_;
   std::unique_ptr<Topics> topics_;
   double ready_seconds_ = 0.0;

@@ -2,12 +2,17 @@
 
 #include "agents/protocol/origin.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace evbal {
 
-InprocPlayers::InprocPlayers(const World& world, Planner planner, Injector injector)
-    : plants_(make_plants(world)), planner_(std::move(planner)), injector_(std::move(injector)) {}
+InprocPlayers::InprocPlayers(const World& world, Planner planner, Injector injector, int regions_per_process)
+    : plants_(make_plants(world)),
+      planner_(std::move(planner)),
+      injector_(std::move(injector)),
+      regions_per_process_(regions_per_process) {}
 
 Faults InprocPlayers::faults(int tick) {
   return with_origin([&] { return injector_(tick); });
@@ -15,17 +20,25 @@ Faults InprocPlayers::faults(int tick) {
 
 Exchange InprocPlayers::play(const Tick& tick) {
   Exchange said;
-  for (auto& plant : plants_) {
-    plant.begin(tick);
+  for (const int region : tick.due) {
+    plants_[region].begin(tick);
   }
   if (tick.plan_due) {
-    for (auto& plant : plants_) {
-      said.reports.push_back(with_origin([&] { return plant.report(); }));
+    for (const int region : tick.due) {
+      said.reports.push_back(with_origin([&] { return plants_[region].report(); }));
     }
-    said.plan = with_origin([&] { return planner_(tick, said.reports); });
   }
-  for (auto& plant : plants_) {
-    said.departures.push_back(with_origin([&] { return plant.live(said.plan ? &*said.plan : nullptr); }));
+  if (tick.unattended) {
+    said.reports.clear();
+  } else if (tick.plan_due) {
+    std::vector<Report> heard;
+    std::copy_if(said.reports.begin(), said.reports.end(), std::back_inserter(heard), [&](const Report& report) {
+      return std::find(tick.unheard.begin(), tick.unheard.end(), report.region) == tick.unheard.end();
+    });
+    said.plan = with_origin([&] { return planner_(tick, heard); });
+  }
+  for (const int region : tick.due) {
+    said.departures.push_back(with_origin([&] { return plants_[region].live(said.plan ? &*said.plan : nullptr); }));
   }
   return said;
 }

@@ -14,11 +14,13 @@ class InprocPlayers : public Players {
   using Planner = std::function<Plan(const Tick& tick, const std::vector<Report>& reports)>;
   using Injector = std::function<Faults(int tick)>;
 
-  /// `world` must outlive the players.
-  InprocPlayers(const World& world, Planner planner, Injector injector);
+  /// `world` must outlive the players. Processes that are taken away keep what they know, as over DDS: here nothing
+  /// needs to be done.
+  InprocPlayers(const World& world, Planner planner, Injector injector, int regions_per_process = 1);
 
   Faults faults(int tick) override;
   Exchange play(const Tick& tick) override;
+  int regions_per_process() const override { return regions_per_process_; }
 
   const std::vector<RegionPlant>& plants() const { return plants_; }
 
@@ -26,6 +28,7 @@ class InprocPlayers : public Players {
   std::vector<RegionPlant> plants_;
   Planner planner_;
   Injector injector_;
+  int regions_per_process_;
 };
 
 }  // namespace evbal

@@ -2,6 +2,7 @@
 
 #include "agents/protocol/messages.hpp"
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,12 +23,25 @@ struct Exchange {
   std::vector<Incident> incidents;     ///< since the last tick; no part of the digest
 };
 
+/// What the conductor saw a fault of processes or of the network do in a tick.
+struct Seen {
+  std::int32_t region = 0;  ///< no_region if it acts on none
+  Observed observed;        ///< amount: 1 for a tick of absence, or samples that were not in time
+};
+
 /// One tick as the conductor saw it.
 struct TickRecord {
   Faults faults;
   Tick tick;
   Exchange exchange;
+  std::vector<Seen> seen;  ///< in the order of the effects
 };
+
+/// How a schedule takes a process away.
+enum class Absence { killed, paused };
+
+/// Processes that are away, by name: "agent-3", "coordinator", "faults".
+using Absences = std::map<std::string, Absence>;
 
 /// Everybody but the conductor: agents, coordinator and injector, as processes on the bus or as objects in this one.
 class Players {
@@ -36,6 +50,12 @@ class Players {
 
   /// The injector's word on `tick`.
   virtual Faults faults(int tick) = 0;
+
+  /// Regions that one agent hosts: region r is of "agent-<r / this>".
+  virtual int regions_per_process() const { return 1; }
+
+  /// Takes these processes away, and brings back those that were away and are not among them.
+  virtual void take_away(const Absences& /*away*/) {}
 
   /// Announces the tick and gives back what was said, all that is due. Throws Error{run_failed} naming whom it
   /// waited for in vain.

@@ -31,17 +31,19 @@ Roads::Roads(const std::vector<std::vector<Vehicle>>& fleet) : held_(fleet.size(
   }
 }
 
-std::vector<Arrival> Roads::hand_out(int minute) {
+std::vector<Arrival> Roads::hand_out(int minute, int now, const std::set<int>& closed) {
   std::vector<Arrival> arrivals;
   std::vector<Arrival> others;
   for (const auto& car : on_road_) {
-    (car.minute < minute ? arrivals : others).push_back(car);
+    (car.minute < minute && !closed.contains(car.region) ? arrivals : others).push_back(car);
   }
   on_road_ = std::move(others);
-  for (const auto& car : arrivals) {
+  for (auto& car : arrivals) {
+    car.minute = std::max(car.minute, now);
     holder_[car.vehicle.id] = car.region;
     ++held_[car.region];
   }
+  std::sort(arrivals.begin(), arrivals.end(), earlier);
   return arrivals;
 }
 

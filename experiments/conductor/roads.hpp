@@ -2,6 +2,7 @@
 
 #include "agents/protocol/messages.hpp"
 
+#include <set>
 #include <vector>
 
 namespace evbal {
@@ -21,8 +22,9 @@ class Roads {
   explicit Roads(const std::vector<std::vector<Vehicle>>& fleet);
 
   /// Takes off the road, and hands to their regions, the vehicles that arrive before `minute`:
-  /// by (region, minute, vehicle).
-  std::vector<Arrival> hand_out(int minute);
+  /// by (region, minute, vehicle). Those bound for a `closed` region wait on the road; once it is open they arrive at
+  /// minute `now` at the earliest.
+  std::vector<Arrival> hand_out(int minute, int now = 0, const std::set<int>& closed = {});
 
   /// Those that stay on the road, by (region, minute, errand).
   std::vector<UnderWay> under_way() const;

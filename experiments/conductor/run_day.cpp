@@ -3,13 +3,18 @@
 #include "agents/region/draws.hpp"
 #include "common/error.hpp"
 #include "common/interrupt.hpp"
+#include "experiments/conductor/attendance.hpp"
 #include "experiments/conductor/roads.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <deque>
+#include <iterator>
 #include <map>
-#include <numeric>
 #include <set>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace evbal {
@@ -25,13 +30,14 @@ void require(bool holds, const World& world, int tick, int region, const std::st
 
 /// Every region that is due has spoken, of this tick and in its turn.
 void check_complete(const Tick& tick, const Exchange& exchange) {
+  const bool plan_due = tick.plan_due && !tick.unattended;
   const auto in_turn = [&](const auto& messages) {
     return std::equal(
         messages.begin(), messages.end(), tick.due.begin(), tick.due.end(),
         [&](const auto& message, int region) { return message.tick == tick.tick && message.region == region; });
   };
-  if (!in_turn(exchange.departures) || (tick.plan_due && !in_turn(exchange.reports)) ||
-      tick.plan_due != exchange.plan.has_value() || (exchange.plan && exchange.plan->tick != tick.tick)) {
+  if (!in_turn(exchange.departures) || (plan_due && !in_turn(exchange.reports)) ||
+      plan_due != exchange.plan.has_value() || (exchange.plan && exchange.plan->tick != tick.tick)) {
     throw run_failed("tick " + std::to_string(tick.tick) + ": reports, plan or departures are missing");
   }
 }
@@ -46,13 +52,13 @@ void check_vehicles_and_points(const World& world, const Roads& roads, const Dep
           std::to_string(said.plugged) + " points in use, " + std::to_string(said.points) + " work");
 }
 
-void check_plan(const World& world, const Plan& plan, const std::vector<Report>& reports) {
+void check_plan(const World& world, const Tick& tick, const Plan& plan, const std::vector<Report>& reports) {
   std::map<int, int> vacant;
   std::map<int, int> low_battery;
   for (const auto& move : plan.moves) {
     (move.errand == Errand::rebalance ? vacant : low_battery)[move.from] += move.count;
   }
-  std::set<int> estimated;
+  std::set<int> estimated(tick.unheard.begin(), tick.unheard.end());
   for (const auto& rejection : plan.provenance.rejected) {
     estimated.insert(rejection.region);
   }
@@ -65,40 +71,164 @@ void check_plan(const World& world, const Plan& plan, const std::vector<Report>&
   }
 }
 
-Tick announce(const World& world, int tick, Roads& roads, const Faults& faults) {
-  Tick announced;
-  announced.tick = tick;
-  announced.plan_due = world.clock.plan_due(tick);
-  announced.due.resize(world.city.regions.size());
-  std::iota(announced.due.begin(), announced.due.end(), 0);
-  announced.arrivals = roads.hand_out(world.clock.minute_of(tick + 1));
-  announced.under_way = roads.under_way();
-  announced.effects = faults.effects;
-  return announced;
-}
+/// A day under way.
+class Day {
+ public:
+  Day(const World& world, Players& players, const std::function<void(const TickRecord&)>& observe)
+      : world_(world),
+        players_(players),
+        observe_(observe),
+        shape_{world.seed, world.city.size(), players.regions_per_process()},
+        roads_(draw_fleet(world)) {}
+
+  void play() {
+    for (int tick = 0; tick < world_.clock.ticks(); ++tick) {
+      check_interrupt();
+      play_tick(tick);
+    }
+    take_away({});
+    call({});
+  }
+
+ private:
+  void play_tick(int tick) {
+    TickRecord record;
+    record.faults = hear_faults(tick);
+    Attendance present = attendance(record.faults.effects, shape_, tick, world_.clock.plan_due(tick));
+    take_away(present.away);
+    call(present.absent);
+    record.tick = announce(record.faults, present);
+    record.exchange = players_.play(record.tick);
+    record.seen = std::move(present.seen);
+    check_and_move(record.tick, record.exchange);
+    open_.push_back(std::move(record));
+    show();
+  }
+
+  /// What the injector says; while it is away or late, what it last said goes on.
+  Faults hear_faults(int tick) {
+    if (tick == injector_back_) {
+      Absences others = away_;
+      others.erase("faults");
+      take_away(others);
+    }
+    Faults said = tick < injector_back_ ? heard_ : players_.faults(tick);
+    said.tick = tick;
+    const auto own = std::find_if(said.effects.begin(), said.effects.end(), [](const Effect& effect) {
+      return family_of(effect.type) == FaultFamily::process && effect.process == ProcessRole::injector;
+    });
+    if (own != said.effects.end() && own->type == EffectType::process_slow) {
+      return own->magnitude > report_deadline ? with(heard_, *own, said) : said;
+    }
+    if (own != said.effects.end() && tick >= injector_back_) {
+      injector_back_ = tick + static_cast<int>(std::lround(own->magnitude));
+    }
+    heard_ = said;
+    return said;
+  }
+
+  /// The effects of `before`, and `more`, as if they were `said`.
+  static Faults with(const Faults& before, const Effect& more, Faults said) {
+    said.effects = before.effects;
+    said.effects.push_back(more);
+    std::sort(said.effects.begin(), said.effects.end(), [](const Effect& a, const Effect& b) {
+      return std::tie(a.fault, a.region) < std::tie(b.fault, b.region);
+    });
+    return said;
+  }
+
+  void take_away(const Absences& away) {
+    if (away != away_) {
+      players_.take_away(away);
+      away_ = away;
+    }
+  }
+
+  /// Takes note of who is absent now. Who is back first says what became of its region meanwhile.
+  void call(const std::set<int>& absent) {
+    std::set<int> back;
+    std::set_difference(absent_.begin(), absent_.end(), absent.begin(), absent.end(), std::inserter(back, back.end()));
+    absent_ = absent;
+    for (TickRecord& record : open_) {
+      Tick missed = record.tick;
+      missed.due.clear();
+      std::set_difference(back.begin(), back.end(), record.tick.due.begin(), record.tick.due.end(),
+                          std::back_inserter(missed.due));
+      if (missed.due.empty()) {
+        continue;
+      }
+      missed.unattended = true;
+      Exchange said = players_.play(missed);
+      check_and_move(missed, said);
+      auto& all = record.exchange.departures;
+      all.insert(all.end(), said.departures.begin(), said.departures.end());
+      std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.region < b.region; });
+      auto& incidents = record.exchange.incidents;
+      incidents.insert(incidents.end(), said.incidents.begin(), said.incidents.end());
+    }
+    show();
+  }
+
+  Tick announce(const Faults& faults, const Attendance& present) {
+    Tick tick;
+    tick.tick = faults.tick;
+    const bool plan_time = world_.clock.plan_due(tick.tick);
+    tick.plan_due = plan_time && present.coordinator();
+    for (int region = 0; region < world_.city.size(); ++region) {
+      if (!present.absent.contains(region)) {
+        tick.due.push_back(region);
+        if (tick.plan_due && present.unheard.contains(region)) {
+          tick.unheard.push_back(region);
+        }
+        if (plan_time && (!tick.plan_due || present.unplanned.contains(region))) {
+          tick.unplanned.push_back(region);
+        }
+      }
+    }
+    const DayClock& clock = world_.clock;
+    tick.arrivals = roads_.hand_out(clock.minute_of(tick.tick + 1), clock.minute_of(tick.tick), present.absent);
+    tick.under_way = roads_.under_way();
+    tick.effects = faults.effects;
+    return tick;
+  }
+
+  void check_and_move(const Tick& tick, const Exchange& exchange) {
+    check_complete(tick, exchange);
+    for (const auto& departures : exchange.departures) {
+      roads_.take(departures, world_.clock.minute_of(tick.tick + 1));
+    }
+    for (const auto& departures : exchange.departures) {
+      check_vehicles_and_points(world_, roads_, departures);
+    }
+    if (exchange.plan) {
+      check_plan(world_, tick, *exchange.plan, exchange.reports);
+    }
+  }
+
+  /// Shows the ticks of which all is known, in their turn.
+  void show() {
+    while (!open_.empty() && open_.front().exchange.departures.size() == world_.city.regions.size()) {
+      observe_(open_.front());
+      open_.pop_front();
+    }
+  }
+
+  const World& world_;
+  Players& players_;
+  const std::function<void(const TickRecord&)>& observe_;
+  RunShape shape_;
+  Roads roads_;
+  std::deque<TickRecord> open_;  ///< ticks of which somebody has not spoken yet
+  std::set<int> absent_;         ///< regions
+  Absences away_;
+  Faults heard_;           ///< from the injector, and in time
+  int injector_back_ = 0;  ///< tick
+};
 
 }  // namespace
 
 void run_day(const World& world, Players& players, const std::function<void(const TickRecord&)>& observe) {
-  Roads roads(draw_fleet(world));
-  for (int tick = 0; tick < world.clock.ticks(); ++tick) {
-    check_interrupt();
-    TickRecord record;
-    record.faults = players.faults(tick);
-    record.tick = announce(world, tick, roads, record.faults);
-    record.exchange = players.play(record.tick);
-    check_complete(record.tick, record.exchange);
-    for (const auto& departures : record.exchange.departures) {
-      roads.take(departures, world.clock.minute_of(tick + 1));
-    }
-    for (const auto& departures : record.exchange.departures) {
-      check_vehicles_and_points(world, roads, departures);
-    }
-    if (record.exchange.plan) {
-      check_plan(world, *record.exchange.plan, record.exchange.reports);
-    }
-    observe(record);
-  }
+  Day(world, players, observe).play();
 }
 
 }  // namespace evbal

@@ -126,6 +126,26 @@ std::vector<Death> Supervisor::revive() {
   return deaths;
 }
 
+void Supervisor::kill(const std::string& name) {
+  Process& process = find(name);
+  if (const pid_t id = std::exchange(process.id, 0); id != 0) {
+    ::kill(id, SIGKILL);
+    waitpid(id, nullptr, 0);
+  }
+}
+
+void Supervisor::start_again(const std::string& name) {
+  spawn(find(name));
+}
+
+void Supervisor::stop(const std::string& name) {
+  ::kill(find(name).id, SIGSTOP);
+}
+
+void Supervisor::go_on(const std::string& name) {
+  ::kill(find(name).id, SIGCONT);
+}
+
 void Supervisor::progress() {
   for (auto& process : processes_) {
     process.deaths = 0;
@@ -138,12 +158,21 @@ pid_t Supervisor::process_id(const std::string& name) const {
   return found->id;
 }
 
+Supervisor::Process& Supervisor::find(const std::string& name) {
+  const auto found = std::find_if(processes_.begin(), processes_.end(), [&](const auto& p) { return p.name == name; });
+  assert(found != processes_.end());
+  return *found;
+}
+
 void Supervisor::end(std::chrono::milliseconds grace) {
   const auto deadline = std::chrono::steady_clock::now() + grace;
   for (auto& process : processes_) {
+    if (process.id != 0) {
+      ::kill(process.id, SIGCONT);  // who stands still cannot see the pipe close
+    }
     while (process.id != 0 && waitpid(process.id, nullptr, WNOHANG) == 0) {
       if (std::chrono::steady_clock::now() > deadline) {
-        kill(process.id, SIGKILL);
+        ::kill(process.id, SIGKILL);
         waitpid(process.id, nullptr, 0);
         break;
       }

@@ -31,6 +31,12 @@ class Supervisor {
   /// it ended and its last words, if one ended by itself, or has ended too often since the last progress().
   std::vector<Death> revive();
 
+  /// Kills a process, which stays away until start_again(), or makes it stand still until go_on().
+  void kill(const std::string& name);
+  void start_again(const std::string& name);
+  void stop(const std::string& name);
+  void go_on(const std::string& name);
+
   /// Forgets how often each process has ended: the run has come further.
   void progress();
 
@@ -46,6 +52,7 @@ class Supervisor {
   };
 
   void spawn(Process& process);
+  Process& find(const std::string& name);
 
   void end(std::chrono::milliseconds grace);
   std::string last_words(const std::string& name) const;

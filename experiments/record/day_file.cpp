@@ -115,6 +115,9 @@ void DayFile::add(const TickRecord& record) {
       tables_->rejections.add(row_of(tick_key(tick, i), rejected[i]));
     }
   }
+  for (std::size_t i = 0; i < record.seen.size(); ++i) {
+    tables_->observed.add(row_of(region_key(tick, record.seen[i].region, i), record.seen[i].observed));
+  }
   const auto add_all = [tick](Table& table, int region, const auto& messages) {
     for (std::size_t i = 0; i < messages.size(); ++i) {
       table.add(row_of(region_key(tick, region, i), messages[i]));

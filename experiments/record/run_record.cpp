@@ -149,9 +149,22 @@ void RunRecord::add(const TickRecord& record) {
   last_ = Clock::now();
 }
 
+void RunRecord::note_not_injected() {
+  std::set<int> injected;
+  for (const auto& record : ticks_) {
+    injected.merge(active_faults(record));
+  }
+  for (int fault = 0; fault < static_cast<int>(header_.faults.size()); ++fault) {
+    if (!injected.contains(fault)) {
+      file_.event(static_cast<int>(ticks_.size()), "fault not injected", header_.faults[fault].name);
+    }
+  }
+}
+
 RunResult RunRecord::finish() {
   const DayClock& clock = header_.frame.clock;
   assert(static_cast<int>(ticks_.size()) == clock.ticks());
+  note_not_injected();
   file_.commit();
   const DayMetrics day = measure(header_.frame, ticks_);
   const std::string digest = digest_.hex();

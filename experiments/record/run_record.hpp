@@ -65,6 +65,7 @@ class RunRecord {
   using Clock = std::chrono::steady_clock;
 
   void note_events(const TickRecord& record);
+  void note_not_injected();
   void mark_incomplete() const;
 
   std::filesystem::path folder_;

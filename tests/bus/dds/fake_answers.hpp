@@ -17,7 +17,9 @@ inline Faults faults(int tick) {
 }
 
 inline Tick tick(int tick, int regions) {
-  Tick message{.tick = tick, .plan_due = tick % 2 == 0, .due = {}, .arrivals = {}, .under_way = {}, .effects = {}};
+  Tick message;
+  message.tick = tick;
+  message.plan_due = tick % 2 == 0;
   for (int region = 0; region < regions; ++region) {
     message.due.push_back(region);
     message.arrivals.push_back({.region = region, .minute = 5 * tick, .vehicle = {.id = region}});
