@@ -106,7 +106,9 @@ RC_GTEST_PROP(ReportCheck, BelievesPlants, ()) {
   int last = 0;
   for (int tick = 0; tick < world.clock.ticks(); ++tick) {
     for (auto& plant : plants) {
-      Tick announced{.tick = tick, .due = {}, .arrivals = {}, .under_way = {}, .effects = faults[tick].effects};
+      Tick announced;
+      announced.tick = tick;
+      announced.effects = faults[tick].effects;
       plant.begin(announced);
       if (world.clock.plan_due(tick)) {
         RC_ASSERT(complaint(plant.report(), tick, last, real) == "");
