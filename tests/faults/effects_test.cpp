@@ -45,6 +45,14 @@ TEST(Effects, RiseAndFallLinearly) {
   EXPECT_EQ(factors(spike(0, 30, 10), 7), (std::vector<double>{1.5, 2.5, 3, 3, 2.5, 1.5, 1}));
 }
 
+TEST(Effects, SayHowLongAProcessIsAway) {
+  Fault kill = spike(10, 15, 0);
+  kill.type = EffectType::process_kill;
+  kill.magnitudes = {0.0};
+  EXPECT_EQ(factors(kill, 6), (std::vector<double>{1, 1, 3, 2, 1, 1}));
+  EXPECT_TRUE(faults_at(with(kill), clock, 5).effects.empty());
+}
+
 TEST(Effects, ComeByFaultAndRegion) {
   Schedule schedule;
   schedule.faults.push_back(spike(0, 10, 0));

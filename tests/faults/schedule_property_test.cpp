@@ -140,10 +140,12 @@ RC_GTEST_PROP(ScheduleProperty, EveryFaultActsInItsWindowOnly, ()) {
       const Fault& fault = schedule.faults.at(effect.fault);
       const double full = fault.magnitudes.at(std::find(fault.regions.begin(), fault.regions.end(), effect.region) -
                                               fault.regions.begin());
-      RC_ASSERT(tick_window(fault, place.clock).holds(tick));
+      const TickWindow window = tick_window(fault, place.clock);
+      RC_ASSERT(window.holds(tick));
       const double neutral = fault_type(fault.type).neutral;
-      RC_ASSERT(effect.magnitude >= std::min(neutral, full));
-      RC_ASSERT(effect.magnitude <= std::max(neutral, full));
+      const bool absence = effect.type == EffectType::process_kill || effect.type == EffectType::process_pause;
+      RC_ASSERT(effect.magnitude >= (absence ? window.last - tick : std::min(neutral, full)));
+      RC_ASSERT(effect.magnitude <= (absence ? window.last - tick : std::max(neutral, full)));
       ++acted[effect.fault];
     }
   }

@@ -90,12 +90,12 @@ class ToyDay : public testing::Test {
     return digest_of(players, observe);
   }
 
-  std::string digest_in_process() {
+  std::string digest_in_process(int regions_per_process = 1) {
     const World& world = scenario_.world;
     Coordinator coordinator(world.city, world.clock, world.day.date, scenario_.planning, model_);
     InprocPlayers players(
         world, [&](const Tick& tick, const auto& reports) { return coordinator.plan(tick, reports); },
-        [&](int tick) { return faults_at(scenario_.schedule, world.clock, tick); });
+        [&](int tick) { return faults_at(scenario_.schedule, world.clock, tick); }, regions_per_process);
     return digest_of(players);
   }
 

@@ -92,6 +92,42 @@ TEST(Run, IsPlayedByProcessesOfTheirOwnOverDds) {
   EXPECT_EQ(all.size(), 8);  // nobody is anybody else, and nobody is the launcher
 }
 
+/// The process of the run in `folder` that has this name; 0 if there is none.
+pid_t process_of(const fs::path& folder, const std::string& name) {
+  for (const auto& entry : fs::directory_iterator("/proc")) {
+    const std::string line = text_of(entry.path() / "cmdline");
+    if (line.find(folder.string()) != std::string::npos && line.find('\0' + name + '\0') != std::string::npos) {
+      return std::atoi(entry.path().filename().c_str());
+    }
+  }
+  return 0;
+}
+
+TEST(Run, IsTheSameIfAProcessIsKilledMeanwhile) {
+  const CommandLine line;
+  ASSERT_EQ(line.evbal("run morning.yaml --controller robust --out a --quiet").status, 0);
+  const fs::path run = line.path() / "b";
+  const pid_t launcher =
+      start(line.path(), "run morning.yaml --transport dds --controller robust --quiet --out " + run.string());
+  const auto under_way = [&] {
+    const std::string mark = text_of(run / "INCOMPLETE");
+    return mark.find("of 36 ticks") != std::string::npos && mark.find("recorded 0 ") == std::string::npos;
+  };
+  for (int i = 0; i < 6000 && !under_way(); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  const pid_t agent = process_of(run, "agent-2");
+  ASSERT_GT(agent, 0);
+  EXPECT_EQ(kill(agent, SIGKILL), 0);
+  ASSERT_EQ(wait_for(launcher), 0) << text_of(line.path() / "err.txt");
+  EXPECT_EQ(line.summary("b", "digest"), line.summary("a", "digest"));
+  EXPECT_EQ(line.summary("b", "restarts"), "1");
+  EXPECT_EQ(writers(run, "departures").size(), 6U);
+  EXPECT_FALSE(fs::exists(run / "journals"));
+  const Ended replay = line.evbal("replay b --quiet");
+  EXPECT_EQ(replay.status, 0) << replay.err;
+}
+
 TEST(Run, EndsItsProcessesOnCtrlC) {
   const CommandLine line;
   const pid_t launcher = line.start("run morning.yaml --transport dds --controller robust --out a");
