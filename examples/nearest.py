@@ -9,8 +9,7 @@ import sys
 
 def balance(km, spare, missing, errand):
     """Whole cars from regions that can spare them to the nearest that miss some."""
-    pairs = sorted((km[i][j], i, j) for i in range(len(km)) for j in range(len(km)) if i != j)
-    for _, i, j in pairs:
+    for _, i, j in sorted((km[i][j], i, j) for i in spare for j in missing if i != j):
         count = min(spare[i], missing[j])
         if count > 0:
             spare[i] -= count
@@ -19,12 +18,16 @@ def balance(km, spare, missing, errand):
 
 
 def plan(km, reports):
-    coming = [sum(cars["count"] for cars in r["bound"] if cars["errand"] == "rebalance") for r in reports]
-    vacant = [r["vacant"] - r["waiting"] for r in reports]
-    free = [r["points"] - r["plugged"] - r["low_battery"] for r in reports]
-    yield from balance(km, [max(0, v) for v in vacant], [max(0, -v - c) for v, c in zip(vacant, coming)], "rebalance")
-    yield from balance(km, [min(r["low_battery"], max(0, -f)) for r, f in zip(reports, free)],
-                       [max(0, f) for f in free], "charge")
+    spare, missing, low, free = {}, {}, {}, {}
+    for report in reports:  # where none came, nobody is sent from or to
+        i = report["region"]
+        coming = sum(cars["count"] for cars in report["bound"] if cars["errand"] == "rebalance")
+        spare[i] = report["vacant"] - report["waiting"]
+        missing[i] = -spare[i] - coming
+        free[i] = report["points"] - report["plugged"] - report["low_battery"]
+        low[i] = min(report["low_battery"], -free[i])
+    yield from balance(km, spare, missing, "rebalance")
+    yield from balance(km, low, free, "charge")
 
 
 km = json.loads(sys.stdin.readline())["city"]["km"]

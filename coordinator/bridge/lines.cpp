@@ -79,7 +79,7 @@ class MoveReader {
 /// Checks moves against the reports, one after another.
 class MoveCheck {
  public:
-  explicit MoveCheck(const std::vector<Report>& reports) : regions_(static_cast<int>(reports.size())) {
+  MoveCheck(const std::vector<Report>& reports, int regions) : regions_(regions) {
     for (const auto& report : reports) {
       left_[{Errand::rebalance, report.region}] = report.vacant;
       left_[{Errand::charge, report.region}] = report.low_battery;
@@ -96,7 +96,7 @@ class MoveCheck {
     if (move.from == move.to) {
       throw in.error("to", "another region than `from` is expected");
     }
-    int& left = left_.at({move.errand, move.from});
+    int& left = left_[{move.errand, move.from}];
     if (move.count < 1 || move.count > left) {
       throw in.error("count", "region " + std::to_string(move.from) + " has " + std::to_string(left) +
                                   (move.errand == Errand::rebalance ? " vacant" : " low-battery") +
@@ -108,7 +108,7 @@ class MoveCheck {
 
  private:
   int regions_;
-  std::map<std::pair<Errand, int>, int> left_;
+  std::map<std::pair<Errand, int>, int> left_;  // none where no report came
 };
 
 json rows_of(const Eigen::MatrixXd& matrix) {
@@ -152,10 +152,11 @@ std::string question_line(int tick, const std::vector<Report>& reports) {
   return json{{"tick", tick}, {"reports", said}}.dump();
 }
 
-std::vector<Move> read_answer(const std::string& line, const std::string& place, const std::vector<Report>& reports) {
+std::vector<Move> read_answer(const std::string& line, const std::string& place, const std::vector<Report>& reports,
+                              int regions) {
   const json parsed = parse_json(line, place);
   JsonObject answer(parsed, place, "");
-  MoveCheck check(reports);
+  MoveCheck check(reports, regions);
   std::vector<Move> moves;
   for (JsonObject& object : answer.objects("moves")) {
     Move& move = moves.emplace_back();

@@ -13,11 +13,12 @@ namespace evbal {
 /// The first line to the child: what it may know of city, day and clock.
 std::string opening_line(const World& world, const std::string& controller);
 
-/// A plan is due: the reports of all regions, without their origin, which would differ between runs.
+/// A plan is due: the reports that came, without their origin, which would differ between runs.
 std::string question_line(int tick, const std::vector<Report>& reports);
 
 /// The child's moves, by (errand, from, to). Throws Error{bad_input} as "place: field: what would be right" if the line
-/// is no such object, sends anybody nowhere, or sends more vehicles than a region reported.
-std::vector<Move> read_answer(const std::string& line, const std::string& place, const std::vector<Report>& reports);
+/// is no such object, names a region that is none of `regions`, or sends more vehicles than a region reported.
+std::vector<Move> read_answer(const std::string& line, const std::string& place, const std::vector<Report>& reports,
+                              int regions);
 
 }  // namespace evbal

@@ -8,7 +8,7 @@
 namespace evbal {
 namespace {
 
-/// Three regions with two vacant cars and one low-battery car each.
+/// Of three regions with two vacant cars and one low-battery car each; the fourth says nothing.
 std::vector<Report> reports() {
   std::vector<Report> all(3);
   for (int i = 0; i < 3; ++i) {
@@ -27,7 +27,7 @@ std::vector<Report> reports() {
 
 void expect_refused(const std::string& line, const std::string& words) {
   try {
-    read_answer(line, "line 9 of `me`", reports());
+    read_answer(line, "line 9 of `me`", reports(), 4);
     FAIL() << "was accepted: " << line;
   } catch (const Error& error) {
     EXPECT_TRUE(std::string(error.what()).starts_with("line 9 of `me`: ")) << error.what();
@@ -72,12 +72,12 @@ TEST(BridgeLines, SortTheMoves) {
   const auto moves = read_answer(R"({"moves": [{"from": 1, "to": 0, "count": 1, "errand": "charge"},
                                                {"errand": "rebalance", "from": 2, "to": 1, "count": 1},
                                                {"errand": "rebalance", "from": 2, "to": 0, "count": 1}]})",
-                                 "", reports());
+                                 "", reports(), 4);
   ASSERT_EQ(moves.size(), 3U);
   EXPECT_EQ(moves[0].to, 0);
   EXPECT_EQ(moves[1].to, 1);
   EXPECT_EQ(moves[2].errand, Errand::charge);
-  EXPECT_TRUE(read_answer(R"({"moves": []})", "", reports()).empty());
+  EXPECT_TRUE(read_answer(R"({"moves": []})", "", reports(), 4).empty());
 }
 
 TEST(BridgeLines, RefuseWhatIsNoPlan) {
@@ -93,7 +93,8 @@ TEST(BridgeLines, RefuseWhatIsNoPlan) {
 }
 
 TEST(BridgeLines, RefuseWhatCannotBeDone) {
-  expect_refused(move(R"("from": 3, "to": 1, "count": 1, "errand": "charge")"), "moves[0].from: a region from 0 to 2");
+  expect_refused(move(R"("from": 4, "to": 1, "count": 1, "errand": "charge")"), "moves[0].from: a region from 0 to 3");
+  expect_refused(move(R"("from": 3, "to": 1, "count": 1, "errand": "charge")"), "region 3 has 0 low-battery vehicles");
   expect_refused(move(R"("from": 1, "to": 1, "count": 1, "errand": "charge")"), "moves[0].to: another region");
   expect_refused(move(R"("from": 0, "to": 1, "count": 0, "errand": "charge")"), "moves[0].count: region 0 has 1");
   expect_refused(move(R"("from": 0, "to": 1, "count": 3, "errand": "rebalance")"), "region 0 has 2 vacant");
