@@ -45,31 +45,14 @@ LinearRelaxation::LinearRelaxation(const ConvexProgram& program) : program_(prog
 
 LinearProgram LinearRelaxation::linear_program() {
   LinearProgram lp(program_);
-  for (std::size_t n = 0; n < first_gradients_.size(); ++n) {
-    const auto& norm = program_.norms()[n];
-    lp.add_column(0.0, infinity, norm.weight);
-    for (std::size_t i = 0; i < norm.variables.size(); ++i) {
-      lp.add_cost(norm.variables[i], norm.weight * first_gradients_[n](static_cast<Eigen::Index>(i)));
-    }
-  }
-  for (auto& curve : curves_) {
-    const double cost = lp.cost(curve.row->above);
-    lp.bound(curve.row->above, 0.0, infinity);
-    lp.add_constant(cost * curve.tangents.value_at_lower());
-    curve.first_part = lp.columns();
-    curve.pieces = curve.tangents.pieces();
-    for (const auto& piece : curve.pieces) {
-      lp.add_column(0.0, piece.width, cost * piece.slope);
-    }
-  }
-  for (int row = 0; row < program_.rows(); ++row) {
+  add_columns(lp);
+  for (std::size_t row = 0; row + 1 < program_.row_start().size(); ++row) {
     double constant = 0.0;
-    const auto at = static_cast<std::size_t>(row);
-    for (int entry = program_.row_start()[at]; entry < program_.row_start()[at + 1]; ++entry) {
-      const auto& [variable, coefficient] = program_.entries()[static_cast<std::size_t>(entry)];
+    for (int at = program_.row_start()[row]; at < program_.row_start()[row + 1]; ++at) {
+      const auto& [variable, coefficient] = program_.entries()[static_cast<std::size_t>(at)];
       constant += write(lp, variable, coefficient);
     }
-    lp.end_row(program_.row_low()[at] - constant, program_.row_high()[at] - constant);
+    lp.end_row(program_.row_low()[row] - constant, program_.row_high()[row] - constant);
   }
   for (const auto& curve : curves_) {
     const double lower = program_.lower()[static_cast<std::size_t>(curve.row->of)];
@@ -89,6 +72,26 @@ LinearProgram LinearRelaxation::linear_program() {
     lp.end_row(-constant);
   }
   return lp;
+}
+
+void LinearRelaxation::add_columns(LinearProgram& lp) {
+  for (std::size_t n = 0; n < first_gradients_.size(); ++n) {
+    const auto& norm = program_.norms()[n];
+    lp.add_column(0.0, infinity, norm.weight);
+    for (std::size_t i = 0; i < norm.variables.size(); ++i) {
+      lp.add_cost(norm.variables[i], norm.weight * first_gradients_[n](static_cast<Eigen::Index>(i)));
+    }
+  }
+  for (auto& curve : curves_) {
+    const double cost = lp.cost(curve.row->above);
+    lp.bound(curve.row->above, 0.0, infinity);
+    lp.add_constant(cost * curve.tangents.value_at_lower());
+    curve.first_part = lp.columns();
+    curve.pieces = curve.tangents.pieces();
+    for (const auto& piece : curve.pieces) {
+      lp.add_column(0.0, piece.width, cost * piece.slope);
+    }
+  }
 }
 
 // Writes coefficient * variable, with what stands above a curve in terms of its parts; gives the constant that remains.
@@ -141,11 +144,9 @@ void LinearRelaxation::keep_prices(const ClpSimplex& clp) {
 void LinearRelaxation::start_from_prices(ClpSimplex& clp) const {
   clp.createStatus();
   const int columns = first_part();
-  for (int column = 0; column < columns; ++column) {
-    clp.setColumnStatus(column, static_cast<ClpSimplex::Status>(basis_[static_cast<std::size_t>(column)]));
-  }
-  for (int row = 0; columns + row < std::ssize(basis_); ++row) {
-    clp.setRowStatus(row, static_cast<ClpSimplex::Status>(basis_[static_cast<std::size_t>(columns + row)]));
+  for (int i = 0; i < std::ssize(basis_); ++i) {
+    const auto status = static_cast<ClpSimplex::Status>(basis_[static_cast<std::size_t>(i)]);
+    i < columns ? clp.setColumnStatus(i, status) : clp.setRowStatus(i - columns, status);
   }
   for (const auto& curve : curves_) {
     for (std::size_t m = 0; m < curve.pieces.size(); ++m) {

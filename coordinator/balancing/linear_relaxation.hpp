@@ -57,6 +57,7 @@ class LinearRelaxation {
   };
 
   LinearProgram linear_program();
+  void add_columns(LinearProgram& lp);
   double write(LinearProgram& lp, int variable, double coefficient) const;
   void start_from_prices(ClpSimplex& clp) const;
   void keep_prices(const ClpSimplex& clp);
