@@ -108,7 +108,7 @@ TEST(Run, IsTheSameIfAProcessIsKilledMeanwhile) {
   ASSERT_EQ(line.evbal("run morning.yaml --controller robust --out a --quiet").status, 0);
   const fs::path run = line.path() / "b";
   const pid_t launcher =
-      start(line.path(), "run morning.yaml --transport dds --controller robust --quiet --out " + run.string());
+      line.start("run morning.yaml --transport dds --controller robust --quiet --out " + run.string());
   const auto under_way = [&] {
     const std::string mark = text_of(run / "INCOMPLETE");
     return mark.find("of 36 ticks") != std::string::npos && mark.find("recorded 0 ") == std::string::npos;
