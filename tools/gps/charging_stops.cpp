@@ -159,6 +159,7 @@ std::vector<ChargingStop> StopFinder::leave() {
     }
   }
   std::vector<ChargingStop> stops;
+  stops.reserve(chosen.size());
   for (const auto& [metres, stay, spot] : chosen) {
     stops.push_back({stay.station, stands_[stay.first].from, charge_start(stay, spot), stands_[stay.last].until});
   }

@@ -1,6 +1,7 @@
 #include "tools/gps/track.hpp"
 
 #include <limits>
+#include <utility>
 
 namespace evbal {
 namespace {
@@ -9,9 +10,9 @@ constexpr double kSnap = 500.0;  // m outside all regions up to which the neares
 
 }  // namespace
 
-TrackMap::TrackMap(std::vector<Region> all_regions, std::vector<Station> all_stations, const LocalClock& local,
+TrackMap::TrackMap(std::vector<Region> all_regions, std::vector<Station> all_stations, LocalClock local,
                    const ChargingRule& charging)
-    : regions(std::move(all_regions)), stations(std::move(all_stations)), clock(local), rule(charging) {
+    : regions(std::move(all_regions)), stations(std::move(all_stations)), clock(std::move(local)), rule(charging) {
   if (!regions.empty()) {
     region_map.emplace(regions, kSnap);
   }

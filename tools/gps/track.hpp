@@ -17,7 +17,7 @@ struct TrackMap {
   LocalClock clock{0};
   ChargingRule rule;
 
-  TrackMap(std::vector<Region> all_regions, std::vector<Station> all_stations, const LocalClock& local,
+  TrackMap(std::vector<Region> all_regions, std::vector<Station> all_stations, LocalClock local,
            const ChargingRule& charging);
 };
 
