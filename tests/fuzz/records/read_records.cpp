@@ -1,0 +1,118 @@
+// What libFuzzer calls: any bytes as records of each kind. A reader takes them or throws Error; everything else is
+// found.
+
+#include "agents/city/factors.hpp"
+#include "agents/city/regions_file.hpp"
+#include "common/error.hpp"
+#include "tools/gps/ingest_gps.hpp"
+#include "tools/ingest/ingest_partition.hpp"
+#include "tools/ingest/ingest_stations.hpp"
+#include "tools/ingest/sessions.hpp"
+#include "tools/ingest/trips.hpp"
+
+#include <cstdint>
+#include <cstdlib>
+#include <fstream>
+
+namespace evbal {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of this process's own, in memory where there is room.
+const fs::path& folder() {
+  static const fs::path path = [] {
+    std::string name = std::string(fs::exists("/dev/shm") ? "/dev/shm" : "/tmp") + "/evbal-fuzz-XXXXXX";
+    return fs::path(mkdtemp(name.data()));
+  }();
+  static const int registered = std::atexit([] { fs::remove_all(folder()); });
+  (void)registered;
+  return path;
+}
+
+fs::path write(const std::string& name, std::string_view text) {
+  fs::create_directories((folder() / name).parent_path());
+  std::ofstream(folder() / name, std::ios::binary) << text;
+  return folder() / name;
+}
+
+const std::vector<Region>& regions() {
+  static const std::vector<Region> all{
+      {"a", {{{37.7, -122.5}, {37.7, -122.4}, {37.8, -122.4}, {37.8, -122.5}}}, {37.75, -122.45}}};
+  return all;
+}
+
+void read_gps(std::string_view bytes) {
+  static const fs::path format = write("gps.yaml",
+                                       "separator: space\nheader: false\nvehicle_in_name: \"*.txt\"\n"
+                                       "columns: {lat: 1, lon: 2, occupied: 3, time: 4}\ntime: unix\noccupied: \"1\"\n"
+                                       "free: \"0\"\nutc_offset_minutes: -420\n");
+  static const fs::path regions_file = write("regions.geojson", regions_geojson(regions()));
+  static const fs::path stations =
+      write("stations.yaml", "stations: [{name: s, region: a, points: 1, lat: 37.75, lon: -122.45}]\n");
+  write("gps/cab.txt", bytes);
+  ingest_gps({folder() / "gps", format, regions_file, stations}, folder() / "out", [](const FixProgress&) {});
+}
+
+void read_local_gps(std::string_view bytes) {
+  static const fs::path format = write("local.yaml",
+                                       "columns: {vehicle: v, lat: a, lon: o, occupied: m, time: t}\ntime: local\n"
+                                       "occupied: \"1\"\nfree: \"0\"\nutc_offset_minutes: -420\n"
+                                       "clock_changes: [{utc: \"2008-11-02 09:00:00\", utc_offset_minutes: -480}]\n");
+  write("local/cabs.csv", bytes);
+  for_each_fix(
+      folder() / "local", read_gps_format(format), [](const std::string&, const Fix&) {}, [](const FixProgress&) {});
+}
+
+void read_shapefile(std::string_view bytes) {
+  const std::size_t third = bytes.size() / 3;
+  write("zones.shp", bytes.substr(0, third));
+  write("zones.shx", bytes.substr(third, third));
+  write("zones.dbf", bytes.substr(2 * third));
+  read_zones(folder() / "zones.shp", {"id", "weight"});
+}
+
+void read_geojson(std::string_view bytes) {
+  const auto zones = read_bordering_zones(write("zones.geojson", bytes), {"id", "weight"});
+  partition_zones(zones, (static_cast<int>(zones.size()) + 1) / 2);
+}
+
+void read_stations_table(std::string_view bytes) {
+  YamlMap map(YamlValue::parse("columns: {name: id, lat: lat, lon: lon, points: n}", "format.yaml"));
+  ingest_stations(write("stations.csv", bytes), read_station_format(map), regions(), 500.0);
+}
+
+void read_trip_table(std::string_view bytes) {
+  CityNotes notes;
+  notes.city.days = {"2008-05-18"};
+  write("trips/trips.csv", bytes);
+  for_each_trip(folder() / "trips", notes, [](const Trip&) {});
+}
+
+void read_session_table(std::string_view bytes) {
+  write("sessions/sessions.csv", bytes);
+  read_sessions(folder() / "sessions", "Rapid", 1.0, 100.0);
+}
+
+void read_pack_files(std::string_view bytes) {
+  read_regions(write("pack.geojson", bytes));
+}
+
+}  // namespace
+}  // namespace evbal
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace evbal;
+  static constexpr void (*readers[])(std::string_view){read_gps,           read_local_gps,      read_shapefile,
+                                                       read_geojson,       read_stations_table, read_trip_table,
+                                                       read_session_table, read_pack_files};
+  if (size == 0) {
+    return 0;
+  }
+  const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
+  try {
+    readers[data[0] % std::size(readers)](bytes);
+  } catch (const Error&) {
+  }
+  return 0;
+}
