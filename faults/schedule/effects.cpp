@@ -41,16 +41,17 @@ Faults faults_at(const Schedule& schedule, const DayClock& clock, int tick) {
     const double neutral = fault_type(fault.type).neutral;
     const bool absence = fault.type == EffectType::process_kill || fault.type == EffectType::process_pause;
     for (std::size_t i = 0; i < fault.regions.size(); ++i) {
-      faults.effects.push_back({.fault = static_cast<std::int32_t>(index),
-                                .type = fault.type,
-                                .region = fault.regions[i],
-                                .magnitude = absence ? window.last - tick : std::lerp(neutral, fault.magnitudes[i], share),
-                                .on_start = fault.on_start,
-                                .visible = fault.visible,
-                                .to = fault.to,
-                                .field = fault.field,
-                                .process = fault.process,
-                                .topic = fault.topic});
+      faults.effects.push_back(
+          {.fault = static_cast<std::int32_t>(index),
+           .type = fault.type,
+           .region = fault.regions[i],
+           .magnitude = absence ? window.last - tick : std::lerp(neutral, fault.magnitudes[i], share),
+           .on_start = fault.on_start,
+           .visible = fault.visible,
+           .to = fault.to,
+           .field = fault.field,
+           .process = fault.process,
+           .topic = fault.topic});
     }
   }
   return faults;
