@@ -274,7 +274,8 @@ TEST(Controllers, RefuseByName) {
                 d.state.dropoffs_due(1, 0) = -1.0;
               }).starts_with("drop-offs due of region 1, step 0"));
   EXPECT_TRUE(refusal([](auto& d, auto&) { d.demand.mean(1) = 1e7; }).starts_with("demand, mean of region 1"));
-  EXPECT_TRUE(refusal([](auto& d, auto&) { d.turnover.demand.linear.front() = -1.0; }).starts_with("variance of demand"));
+  EXPECT_TRUE(
+      refusal([](auto& d, auto&) { d.turnover.demand.linear.front() = -1.0; }).starts_with("variance of demand"));
   EXPECT_TRUE(refusal([](auto& d, auto&) { d.points(1, 1) = -2.0; }).starts_with("points of region 1, step 1"));
   EXPECT_TRUE(refusal([](auto&, auto& p) { p.a = 0.0; }).starts_with("parameter a"));
 }
