@@ -33,7 +33,7 @@ RC_GTEST_PROP(Tangents, LieBelowTheCurveAndTouchIt, (bool steep)) {
   const auto pieces = tangents.pieces();
   for (std::size_t m = 0; m < pieces.size(); ++m) {
     RC_ASSERT(pieces[m].width >= 0.0);
-    RC_ASSERT(m == 0 || pieces[m].slope >= pieces[m - 1].slope);
+    RC_ASSERT(pieces[m].slope >= pieces[m == 0 ? 0 : m - 1].slope);
     RC_ASSERT(std::abs(largest_tangent(tangents, lower, pieces[m].at) - f->around(pieces[m].at).value) < 1e-9);
   }
   for (int i = 0; i < 90; ++i) {
