@@ -41,8 +41,12 @@ std::int32_t earlier(const SensorMemory& memory, ReportField field, double minut
 }
 
 std::int32_t held(SensorMemory& memory, int fault, std::int32_t now) {
-  const auto known = std::ranges::find_if(memory.stuck, [&](const HeldValue& value) { return value.fault == fault; });
-  return known != memory.stuck.end() ? known->value : memory.stuck.emplace_back(fault, now).value;
+  const auto known = std::ranges::find(memory.stuck, fault, &HeldValue::fault);
+  if (known != memory.stuck.end()) {
+    return known->value;
+  }
+  memory.stuck.push_back({.fault = fault, .value = now});
+  return now;
 }
 
 void forget_ended(SensorMemory& memory, const std::vector<Effect>& effects) {
