@@ -2,6 +2,7 @@
 
 #include "common/digest.hpp"
 #include "common/error.hpp"
+#include "common/text_of_file.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -9,8 +10,6 @@
 #include <cerrno>
 #include <charconv>
 #include <cstring>
-#include <fstream>
-#include <sstream>
 #include <string_view>
 #include <utility>
 
@@ -44,9 +43,7 @@ Journal::~Journal() {
 }
 
 void Journal::read_all() {
-  std::ostringstream bytes;
-  bytes << std::ifstream(path_, std::ios::binary).rdbuf();
-  const std::string text = bytes.str();
+  const std::string text = text_of_file(path_);
   std::string_view rest = text;
   for (std::size_t head = 0; (head = rest.find('\n')) != std::string_view::npos;) {
     std::size_t size = 0;

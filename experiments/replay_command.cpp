@@ -2,6 +2,7 @@
 
 #include "common/error.hpp"
 #include "common/interrupt.hpp"
+#include "common/text_of_file.hpp"
 #include "experiments/record/compare.hpp"
 #include "experiments/record/text.hpp"
 #include "experiments/record_day.hpp"

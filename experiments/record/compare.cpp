@@ -1,5 +1,6 @@
 #include "experiments/record/compare.hpp"
 
+#include "common/text_of_file.hpp"
 #include "experiments/record/compare_days.hpp"
 #include "experiments/record/summary.hpp"
 #include "experiments/record/text.hpp"

@@ -1,6 +1,7 @@
 #include "experiments/record/recorded_run.hpp"
 
 #include "common/error.hpp"
+#include "common/text_of_file.hpp"
 #include "experiments/record/text.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>

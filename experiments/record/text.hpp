@@ -20,9 +20,6 @@ requires std::is_arithmetic_v<Number> std::string shortest(Number value) {
 /// The parts of a line between separators.
 std::vector<std::string> split(const std::string& line, char separator);
 
-/// A whole file, empty if it cannot be read.
-std::string text_of_file(const std::filesystem::path& file);
-
 /// Throws Error{run_failed} if the file cannot be written.
 void write_file(const std::filesystem::path& file, const std::string& text);
 

@@ -1,14 +1,13 @@
 #include "agents/city/table.hpp"
 #include "common/error.hpp"
+#include "common/text_of_file.hpp"
 #include "tools/ingest/read_zones.hpp"
 
 #include <shapefil.h>
 
 #include <cmath>
-#include <fstream>
 #include <memory>
 #include <numbers>
-#include <sstream>
 
 namespace evbal {
 namespace {
@@ -42,9 +41,7 @@ fs::path beside(const fs::path& file, const std::string& suffix) {
 
 /// True if positions are Web Mercator metres, false if degrees. Throws on any other projection.
 bool in_web_mercator(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(beside(file, ".prj")).rdbuf();
-  const std::string projection = text.str();
+  const std::string projection = text_of_file(beside(file, ".prj"));
   if (projection.empty() || projection.starts_with("GEOGCS")) {
     return false;
   }
