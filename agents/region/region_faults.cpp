@@ -1,4 +1,5 @@
 #include "agents/region/region_plant.hpp"
+#include "agents/region/size_of.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,10 +8,6 @@
 
 namespace evbal {
 namespace {
-
-int size_of(const auto& list) {
-  return static_cast<int>(list.size());
-}
 
 int whole(const Effect& effect) {
   return static_cast<int>(std::lround(effect.magnitude));

@@ -1,4 +1,5 @@
 #include "agents/region/region_plant.hpp"
+#include "agents/region/size_of.hpp"
 #include "common/random.hpp"
 
 #include <algorithm>
@@ -13,10 +14,6 @@ namespace {
 
 bool less_charge(const Vehicle& a, const Vehicle& b) {
   return std::tie(a.battery_kwh, a.id) < std::tie(b.battery_kwh, b.id);
-}
-
-int size_of(const auto& list) {
-  return static_cast<int>(list.size());
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "agents/region/region_plant.hpp"
 
+#include "agents/region/size_of.hpp"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -14,10 +16,6 @@ namespace {
 
 constexpr double passengers_within_reserve = 0.95;
 constexpr double largest_reserve = 0.5;  // of the battery: a charged car must not be low again at once
-
-int size_of(const auto& list) {
-  return static_cast<int>(list.size());
-}
 
 /// The energy that is enough for all but the farthest of `passengers`; without any, for a trip within the region.
 double reserve(const std::vector<Passenger>& passengers, const std::vector<double>& need_kwh, int region) {
