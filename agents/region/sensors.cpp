@@ -9,14 +9,6 @@
 namespace evbal {
 namespace {
 
-constexpr std::array<std::int32_t Report::*, 7> members = {&Report::vacant,     &Report::low_battery, &Report::plugged,
-                                                           &Report::points,     &Report::waiting,     &Report::demand,
-                                                           &Report::completions};
-
-std::size_t index_of(ReportField field) {
-  return static_cast<std::size_t>(field) - 1;
-}
-
 std::int32_t bounded(double value) {
   using Limits = std::numeric_limits<std::int32_t>;
   return static_cast<std::int32_t>(
@@ -61,7 +53,7 @@ Report sensed(const Report& truth, const std::vector<Effect>& effects, int tick_
               SensorMemory& memory, std::vector<Observed>& observed) {
   Reading& now = memory.readings.emplace_back();
   now.tick = truth.tick;
-  std::ranges::transform(members, now.values.begin(), [&](auto member) { return truth.*member; });
+  std::ranges::transform(measured, now.values.begin(), [&](const Measured& count) { return truth.*count.member; });
   forget_ended(memory, effects);
   Report said = truth;
   for (std::size_t i = 0; i < effects.size(); ++i) {
@@ -73,7 +65,7 @@ Report sensed(const Report& truth, const std::vector<Effect>& effects, int tick_
                         {.region = static_cast<std::uint64_t>(truth.region),
                          .tick = static_cast<std::uint64_t>(truth.tick),
                          .index = static_cast<std::uint64_t>(effect.fault)});
-    std::int32_t& value = said.*members.at(index_of(effect.field));
+    std::int32_t& value = said.*measured.at(index_of(effect.field)).member;
     const std::int32_t before = value;
     switch (effect.type) {
       case EffectType::sensor_stuck:

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "agents/protocol/messages.hpp"
+#include "agents/protocol/measured.hpp"
 
 #include <array>
 #include <cstdint>
@@ -8,10 +8,10 @@
 
 namespace evbal {
 
-/// The numbers that sensors measure, as they really were when a report was made; by ReportField, which counts from 1.
+/// The numbers that sensors measure, as they really were when a report was made; by `measured`.
 struct Reading {
   int tick = 0;
-  std::array<std::int32_t, 7> values{};
+  std::array<std::int32_t, measured.size()> values{};
 };
 
 /// What a sensor fault holds on to.

@@ -1,7 +1,8 @@
 #include "coordinator/planning/report_check.hpp"
 
+#include "agents/protocol/measured.hpp"
+
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <utility>
 
@@ -9,18 +10,6 @@ namespace evbal {
 namespace {
 
 constexpr std::int64_t most_passengers_a_minute = 1000;  // in one region, which no city has
-
-struct Count {
-  const char* name;
-  std::int32_t Report::*field;
-};
-constexpr std::array<Count, 7> counts{{{"vacant", &Report::vacant},
-                                       {"low_battery", &Report::low_battery},
-                                       {"plugged", &Report::plugged},
-                                       {"points", &Report::points},
-                                       {"waiting", &Report::waiting},
-                                       {"demand", &Report::demand},
-                                       {"completions", &Report::completions}}};
 
 std::string more(const std::string& what, std::int64_t is, const std::string& limit, std::int64_t at_most) {
   return is <= at_most ? "" : what + " " + std::to_string(is) + ", " + limit + " " + std::to_string(at_most);
@@ -58,9 +47,9 @@ std::string complaint(const Report& report, int tick, int last, const ReportBoun
   if (report.tick != tick) {
     return "is of tick " + std::to_string(report.tick);
   }
-  for (const Count& count : counts) {
-    if (report.*count.field < 0) {
-      return std::string(count.name) + " " + std::to_string(report.*count.field);
+  for (const Measured& count : measured) {
+    if (report.*count.member < 0) {
+      return std::string(count.name) + " " + std::to_string(report.*count.member);
     }
   }
   const int minute = bounds.clock.minute_of(tick);

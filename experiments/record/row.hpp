@@ -1,6 +1,7 @@
 #pragma once
 
 #include "agents/protocol/fields.hpp"
+#include "agents/protocol/measured.hpp"
 #include "agents/protocol/words.hpp"
 #include "experiments/record/text.hpp"
 #include "faults/schedule/fault_types.hpp"
@@ -25,12 +26,12 @@ inline const std::string& word(EffectType type) {
   return fault_type(type).name;
 }
 
-inline const char* word(OnStart on_start) {
-  return std::array{"drain", "evict"}.at(static_cast<std::size_t>(on_start));
+inline const std::string& word(OnStart on_start) {
+  return on_start_words().at(static_cast<std::size_t>(on_start));
 }
 
-inline std::string word(ReportField field) {
-  return field == ReportField::none ? "none" : report_field_words().at(static_cast<std::size_t>(field) - 1);
+inline const char* word(ReportField field) {
+  return field == ReportField::none ? "none" : measured.at(index_of(field)).name;
 }
 
 inline const char* word(ProcessRole process) {

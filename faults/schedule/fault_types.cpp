@@ -1,5 +1,7 @@
 #include "faults/schedule/fault_types.hpp"
 
+#include "agents/protocol/measured.hpp"
+
 #include <cassert>
 
 namespace evbal {
@@ -94,8 +96,13 @@ const std::vector<std::string>& on_start_words() {
 }
 
 const std::vector<std::string>& report_field_words() {
-  static const std::vector<std::string> words = {"vacant",  "low_battery", "plugged",    "points",
-                                                 "waiting", "demand",      "completions"};
+  static const std::vector<std::string> words = [] {
+    std::vector<std::string> names;
+    for (const Measured& count : measured) {
+      names.emplace_back(count.name);
+    }
+    return names;
+  }();
   return words;
 }
 

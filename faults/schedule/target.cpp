@@ -1,5 +1,6 @@
 #include "faults/schedule/target.hpp"
 
+#include "agents/protocol/measured.hpp"
 #include "faults/schedule/entry.hpp"
 
 namespace evbal {
@@ -135,7 +136,7 @@ std::string target_yaml(const Fault& fault) {
     case TargetKind::engine:
       return "";
     case TargetKind::sensors:
-      return "{" + where + ", field: " + report_field_words().at(static_cast<std::size_t>(fault.field) - 1) + "}";
+      return "{" + where + ", field: " + measured.at(index_of(fault.field)).name + "}";
     case TargetKind::topics:
       return "{topic: " + network_topic_words().at(static_cast<std::size_t>(fault.topic)) + ", " + where + "}";
     case TargetKind::regions:
