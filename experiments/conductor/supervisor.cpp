@@ -31,6 +31,13 @@ std::string ending(int status) {
   return "ended with status " + std::to_string(WEXITSTATUS(status));
 }
 
+/// The process of that name, which exists.
+auto& named(auto& processes, const std::string& name) {
+  const auto found = std::find_if(processes.begin(), processes.end(), [&](const auto& p) { return p.name == name; });
+  assert(found != processes.end());
+  return *found;
+}
+
 /// How posix_spawn sets a process up: its own process group (Ctrl-C is the launcher's), the pipe as standard input,
 /// output to the log, nothing else open, default signals.
 class SpawnSetup {
@@ -153,15 +160,11 @@ void Supervisor::progress() {
 }
 
 pid_t Supervisor::process_id(const std::string& name) const {
-  const auto found = std::find_if(processes_.begin(), processes_.end(), [&](const auto& p) { return p.name == name; });
-  assert(found != processes_.end());
-  return found->id;
+  return named(processes_, name).id;
 }
 
 Supervisor::Process& Supervisor::find(const std::string& name) {
-  const auto found = std::find_if(processes_.begin(), processes_.end(), [&](const auto& p) { return p.name == name; });
-  assert(found != processes_.end());
-  return *found;
+  return named(processes_, name);
 }
 
 void Supervisor::end(std::chrono::milliseconds grace) {
