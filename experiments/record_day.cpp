@@ -8,7 +8,7 @@
 #include "experiments/conductor/dds_players.hpp"
 #include "experiments/conductor/inproc_players.hpp"
 #include "experiments/conductor/run_day.hpp"
-#include "experiments/progress.hpp"
+#include "experiments/progress/progress.hpp"
 #include "experiments/record/row.hpp"
 #include "experiments/record/summary.hpp"
 

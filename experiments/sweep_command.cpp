@@ -2,7 +2,7 @@
 
 #include "common/error.hpp"
 #include "common/interrupt.hpp"
-#include "experiments/progress.hpp"
+#include "experiments/progress/live_view.hpp"
 #include "experiments/record/summary.hpp"
 #include "experiments/record/text.hpp"
 #include "experiments/record_day.hpp"

@@ -54,6 +54,7 @@ const std::vector<Room>& rooms() {
       {"experiments/conductor",
        {"common", "agents/protocol", "agents/city", "agents/region", "agents/bus", "coordinator/planning",
         "faults/schedule", "experiments/scenario"}},
+      {"experiments/progress", {"common", "agents/protocol", "agents/city", "agents/region", "experiments/conductor"}},
       {"experiments/metrics",
        {"common", "agents/protocol", "agents/city", "agents/region", "experiments/scenario", "experiments/conductor"}},
       {"experiments/record",
@@ -80,8 +81,8 @@ const std::vector<Room>& rooms() {
       {"tools/bench", {"common", "coordinator/ambiguity", "coordinator/balancing", "tools/samples", "tools/verify"}},
       {"experiments",
        {"common", "agents/protocol", "agents/city", "agents/region", "coordinator/planning", "faults/schedule",
-        "experiments/scenario", "experiments/conductor", "experiments/metrics", "experiments/record",
-        "experiments/sweep", "tools/ingest", "tools/fit", "tools/report", "tools/verify"}},
+        "experiments/scenario", "experiments/conductor", "experiments/progress", "experiments/metrics",
+        "experiments/record", "experiments/sweep", "tools/ingest", "tools/fit", "tools/report", "tools/verify"}},
   };
   return table;
 }
