@@ -14,18 +14,47 @@
 namespace evbal {
 namespace {
 
-/// The statistics of one resample of whitened residuals.
-Thresholds resampled(const Eigen::MatrixXd& whitened, RandomStream random, int resample) {
-  Eigen::VectorXd times = Eigen::VectorXd::Zero(whitened.cols());
+/// Largest eigenvalue of a symmetric matrix, given by its lower triangle.
+double largest_eigenvalue(const Eigen::MatrixXd& matrix) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(matrix, Eigen::EigenvaluesOnly);
+  return eigen.eigenvalues().maxCoeff();
+}
+
+/// Residuals whose covariance is the identity, d x samples, and their inner products.
+struct Whitened {
+  Eigen::MatrixXd residuals;
+  Eigen::MatrixXd gram;
+};
+
+/// Largest eigenvalue of sum_s times(s) w_s w_s'. It is that of the smaller one of two matrices: of the dimensions, and
+/// of the inner products of the samples drawn.
+double largest_moment(const Whitened& whitened, const Eigen::VectorXd& times) {
+  const Eigen::Index d = whitened.residuals.rows();
+  std::vector<Eigen::Index> drawn;
+  for (Eigen::Index s = 0; s < times.size(); ++s) {
+    if (times(s) > 0.0) {
+      drawn.push_back(s);
+    }
+  }
+  const Eigen::VectorXd weights = times.cwiseSqrt();
+  if (static_cast<Eigen::Index>(drawn.size()) < d) {
+    const Eigen::VectorXd of_drawn = weights(drawn);
+    return largest_eigenvalue(of_drawn.asDiagonal() * whitened.gram(drawn, drawn) * of_drawn.asDiagonal());
+  }
+  Eigen::MatrixXd second_moment = Eigen::MatrixXd::Zero(d, d);
+  second_moment.selfadjointView<Eigen::Lower>().rankUpdate(whitened.residuals * weights.asDiagonal());
+  return largest_eigenvalue(second_moment);
+}
+
+/// The statistics of one resample.
+Thresholds resampled(const Whitened& whitened, RandomStream random, int resample) {
+  const Eigen::Index samples = whitened.residuals.cols();
+  Eigen::VectorXd times = Eigen::VectorXd::Zero(samples);
   for (int draw = 0; draw < resample; ++draw) {
-    times(static_cast<Eigen::Index>(random.below(static_cast<std::uint64_t>(whitened.cols())))) += 1.0;
+    times(static_cast<Eigen::Index>(random.below(static_cast<std::uint64_t>(samples)))) += 1.0;
   }
   times /= resample;
-  const Eigen::MatrixXd weighted = whitened * times.cwiseSqrt().asDiagonal();
-  Eigen::MatrixXd second_moment = Eigen::MatrixXd::Zero(whitened.rows(), whitened.rows());
-  second_moment.selfadjointView<Eigen::Lower>().rankUpdate(weighted);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(second_moment, Eigen::EigenvaluesOnly);
-  return {(whitened * times).squaredNorm(), eigen.eigenvalues().maxCoeff()};
+  return {(whitened.residuals * times).squaredNorm(), largest_moment(whitened, times)};
 }
 
 /// The statistics of every replicate.
@@ -34,7 +63,8 @@ std::vector<Thresholds> replicates(const Eigen::MatrixXd& residuals, const Covar
   assert(bootstrap.resample >= 1 && bootstrap.replicates >= 1);
   const Eigen::LLT<Eigen::MatrixXd> root(covariance.dense());
   assert(root.info() == Eigen::Success);
-  const Eigen::MatrixXd whitened = root.matrixL().solve(residuals);
+  Whitened whitened{root.matrixL().solve(residuals), {}};
+  whitened.gram = whitened.residuals.transpose() * whitened.residuals;
   std::vector<Thresholds> out(static_cast<std::size_t>(bootstrap.replicates));
   parallel_for(out.size(), [&](std::size_t b) {
     out[b] = resampled(whitened, {bootstrap.seed, Purpose::bootstrap, {.index = b}}, bootstrap.resample);

@@ -2,6 +2,7 @@
 
 #include "tests/ambiguity/normals.hpp"
 
+#include <Eigen/QR>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -45,6 +46,17 @@ TEST(BootstrapThresholds, TakeTheOrderStatisticOfTheModel) {
   const Thresholds only = bootstrap_thresholds(residuals, identity(1), {.resample = 7, .replicates = 4}).value;
   EXPECT_NEAR(only.g1, 9.0, 1e-12);
   EXPECT_NEAR(only.g2, 9.0, 1e-12);
+}
+
+TEST(BootstrapThresholds, AreThoseOfTheSamplesPlaneWhereDimensionsAreMore) {
+  // Samples in a plane, seen from two dimensions, where a resample has more samples, and from thirty.
+  const Eigen::MatrixXd plane = normals(2, 40, 11);
+  const Eigen::MatrixXd axes = normals(30, 2, 12).householderQr().householderQ() * Eigen::MatrixXd::Identity(30, 2);
+  const Bootstrap few{.resample = 20, .replicates = 30};
+  const Thresholds two = bootstrap_thresholds(plane, identity(2), few).value;
+  const Thresholds thirty = bootstrap_thresholds(axes * plane, identity(30), few).value;
+  EXPECT_NEAR(thirty.g1, two.g1, 1e-12);
+  EXPECT_NEAR(thirty.g2, two.g2, 1e-12);
 }
 
 TEST(BootstrapThresholds, KnowTheirErrorOfDrawing) {
