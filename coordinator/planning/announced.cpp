@@ -8,8 +8,9 @@ constexpr double least_factor = 0.1;  ///< that still shows the usual demand
 }  // namespace
 
 Eigen::VectorXd AnnouncedDemand::as_usual(const Eigen::VectorXd& counts, int minutes) const {
-  const Eigen::ArrayXd own = (counts - added * minutes).cwiseMax(0.0);
-  return (factor.array() < least_factor).select(counts.array(), own / factor.array().max(least_factor));
+  const Eigen::ArrayXd own = counts - added * minutes;
+  const Eigen::ArrayXd usual = (own < 0.0).select(0.0, own) / factor.array().max(least_factor);
+  return (factor.array() < least_factor).select(counts.array(), usual);
 }
 
 Eigen::MatrixXd AnnouncedDemand::as_announced(const Eigen::MatrixXd& usual, int minutes) const {

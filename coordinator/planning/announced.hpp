@@ -14,7 +14,7 @@ struct AnnouncedDemand {
   Eigen::VectorXd added;   ///< N, passengers a minute beside these
 
   /// The usual counts (N) that would be seen as `counts` in so many minutes; not known better than `counts` where the
-  /// factor leaves next to nothing.
+  /// factor leaves next to nothing, NaN where `counts` is.
   Eigen::VectorXd as_usual(const Eigen::VectorXd& counts, int minutes) const;
 
   /// Forecasts of usual demand, N x steps of so many minutes, as they are to be expected.

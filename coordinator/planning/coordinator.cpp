@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace evbal {
@@ -47,24 +48,12 @@ void check_fit(const City& city, const DayClock& clock, const PlanningSettings& 
   }
 }
 
-Eigen::VectorXd each(const std::vector<Report>& reports, std::int32_t Report::*field) {
-  Eigen::VectorXd out(static_cast<Eigen::Index>(reports.size()));
-  for (const Report& report : reports) {
-    out(report.region) = report.*field;
-  }
-  return out;
-}
-
-/// `counts` where a report was believed, elsewhere what `forecaster` expected of that share of a step after `before`:
-/// what was not heard of teaches it nothing.
-Eigen::VectorXd or_forecast(Eigen::VectorXd counts, const std::vector<std::optional<Report>>& good,
-                            const Forecaster& forecaster, int before, double share) {
-  if (std::ranges::all_of(good, [](const auto& report) { return report.has_value(); })) {
-    return counts;
-  }
-  const Eigen::VectorXd expected = share * forecaster.forecast(before, 1);
-  for (Eigen::Index i = 0; i < counts.size(); ++i) {
-    counts(i) = good[static_cast<std::size_t>(i)] ? counts(i) : expected(i);
+/// A count of the reports that are believed, by region; NaN elsewhere: what was not heard of teaches a forecast
+/// nothing.
+Eigen::VectorXd heard(const std::vector<std::optional<Report>>& good, std::int32_t Report::*field) {
+  Eigen::VectorXd counts(static_cast<Eigen::Index>(good.size()));
+  for (std::size_t i = 0; i < good.size(); ++i) {
+    counts(static_cast<Eigen::Index>(i)) = good[i] ? *good[i].*field : std::numeric_limits<double>::quiet_NaN();
   }
   return counts;
 }
@@ -169,11 +158,8 @@ std::vector<Report> Coordinator::observe(const Tick& tick, const std::vector<Rep
   CheckedReports checked = check_reports(reports, tick.tick, last_.tick, bounds_);
   fleet_.advance(minute, last_.moves, model_.transitions_at(clock_.start + before));
   std::vector<Report> believed = fleet_.settle(tick.tick, checked.good);
-  const Eigen::VectorXd demand = told_.as_usual(each(believed, &Report::demand), minute - before);
-  const double share = static_cast<double>(minute - before) / clock_.step;
-  demand_->observe(minute, or_forecast(demand, checked.good, *demand_, before, share));
-  completions_->observe(minute,
-                        or_forecast(each(believed, &Report::completions), checked.good, *completions_, before, share));
+  demand_->observe(minute, told_.as_usual(heard(checked.good, &Report::demand), minute - before));
+  completions_->observe(minute, heard(checked.good, &Report::completions));
   told_ = announced_demand(settings_.foresees() ? std::vector<Effect>{} : tick.effects, model_.regions());
   last_ = {};
   last_.tick = tick.tick;

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <limits>
 #include <map>
 #include <set>
 
@@ -188,6 +189,7 @@ TEST(Coordinator, EstimatesWhatItDoesNotBelieve) {
   double deviation = usual_deviation;
   for (int tick = 2; tick <= 6; tick += 2) {
     auto reports = quiet_reports(tick, 12);
+    reports[0].demand = reports[2].demand = tick == 2 ? 2 : 1;
     reports[1].vacant = 1 << 30;
     reports[1].demand = 1 << 30;
     coordinator.plan(at(tick), reports);
@@ -201,6 +203,28 @@ TEST(Coordinator, EstimatesWhatItDoesNotBelieve) {
   coordinator.plan(at(8), quiet_reports(8, 12));
   EXPECT_EQ(spy.seen->state.vacant(1), 12.0);
   EXPECT_EQ(spy.seen->demand.deviation(1), usual_deviation);
+}
+
+TEST(Coordinator, LearnsNothingFromReportsItDoesNotBelieve) {
+  const Spy spy;
+  const CityModel model = testing::small_model();
+  Coordinator coordinator(testing::small_city(), {}, date, {}, model, spy);
+  SeasonalForecaster demand(model.demand.seasonal, DayKind::weekday);
+  SeasonalForecaster completions(model.completions.seasonal, DayKind::weekday);
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  for (int tick = 0; tick <= 8; tick += 2) {
+    auto reports = quiet_reports(tick, 12);
+    reports[0].demand = tick == 0 ? 0 : 5;
+    reports[2].demand = tick == 0 ? 0 : 3;
+    reports[1].vacant = -1;
+    reports[1].demand = reports[1].completions = 1;
+    coordinator.plan(at(tick), reports);
+    const int minute = 5 * tick;
+    demand.observe(minute, Eigen::Vector3d(5.0, unknown, 3.0));
+    completions.observe(minute, Eigen::Vector3d(0.0, unknown, 0.0));
+    EXPECT_EQ(spy.seen->demand.mean, demand.forecast(minute, 2).reshaped()) << tick;
+    EXPECT_EQ(spy.seen->completions.mean.head(2), completions.forecast(minute, 2).col(0).head(2)) << tick;
+  }
 }
 
 Provenance provenance_under(const Effect& effect, const std::string& controller, const std::string& engine) {
