@@ -110,9 +110,20 @@ RunResult play(const Scenario& scenario, const std::string& resolved, const std:
 
 }  // namespace
 
+std::string own_transport(const Scenario& scenario) {
+  return scenario.planning.coordinator.empty() ? "inproc" : "dds";
+}
+
 Scenario with_controller(Scenario scenario, const std::string& controller) {
   scenario.controllers = {controller};
   scenario.planning.controller = controller;
+  return scenario;
+}
+
+Scenario without_faults(Scenario scenario) {
+  scenario.schedule.faults.clear();
+  scenario.expect.clear();
+  scenario.transport = own_transport(scenario);
   return scenario;
 }
 

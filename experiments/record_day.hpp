@@ -15,8 +15,14 @@ struct Stage {
   bool quiet = false;     ///< without progress
 };
 
+/// How a day is played in this process; over the bus if somebody else makes the plans.
+std::string own_transport(const Scenario& scenario);
+
 /// The scenario for one of its controllers.
 Scenario with_controller(Scenario scenario, const std::string& controller);
+
+/// The same day without faults, to hold the one with faults against, in this process if it can be.
+Scenario without_faults(Scenario scenario);
 
 /// Throws Error{bad_input} if the day cannot be planned: there is no model, or it does not fit city, clock or horizon.
 /// Of a coordinator in place of evbal's own it is checked that there is one.

@@ -36,11 +36,6 @@ class Scratch {
   fs::path folder_;
 };
 
-/// In this process, unless somebody else makes the plans.
-std::string transport_of(const Scenario& scenario) {
-  return scenario.planning.coordinator.empty() ? "inproc" : "dds";
-}
-
 void replay(const fs::path& folder, bool quiet) {
   catch_interrupts();
   const fs::path file = folder / "scenario.resolved.yaml";
@@ -51,7 +46,7 @@ void replay(const fs::path& folder, bool quiet) {
   try {
     const Scenario scenario = read_scenario(file);
     const RunResult again = record_day(scenario, text_of_file(file), scratch.folder(),
-                                       {.transport = transport_of(scenario), .quiet = quiet});
+                                       {.transport = own_transport(scenario), .quiet = quiet});
     if (const auto difference = first_difference(folder, scratch.folder(), scenario.world.clock)) {
       throw run_failed(*difference);
     }

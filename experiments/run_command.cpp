@@ -2,10 +2,12 @@
 
 #include "common/error.hpp"
 #include "common/interrupt.hpp"
+#include "experiments/record/paired_run.hpp"
 #include "experiments/record/recorded_run.hpp"
 #include "experiments/record/text.hpp"
 #include "experiments/record_day.hpp"
 #include "experiments/report_command.hpp"
+#include "experiments/sweep/workers.hpp"
 #include "experiments/table.hpp"
 
 #include <CLI/CLI.hpp>
@@ -50,15 +52,69 @@ void refuse_used(const fs::path& folder) {
   }
 }
 
-void write_reports(const fs::path& folder, const std::vector<RunResult>& results) {
+/// One controller's run.
+struct Run {
+  Scenario scenario;
+  fs::path folder;
+};
+
+std::vector<Run> runs_of(const Scenario& scenario, const fs::path& folder) {
+  std::vector<Run> runs;
+  runs.reserve(scenario.controllers.size());
+  for (const auto& controller : scenario.controllers) {
+    runs.push_back(
+        {with_controller(scenario, controller), scenario.controllers.size() == 1 ? folder : folder / controller});
+  }
+  return runs;
+}
+
+RunResult record(const Scenario& scenario, const fs::path& folder, bool quiet) {
+  return record_day(scenario, resolved_yaml(scenario, scenario.planning.controller), folder,
+                    {.transport = scenario.transport, .quiet = quiet});
+}
+
+/// Plays the runs, and beside them, in a process of its own, their twins without faults.
+std::vector<RunResult> record_all(const std::vector<Run>& runs, bool quiet) {
+  Workers twins;
+  if (!runs.front().scenario.schedule.faults.empty()) {
+    twins.start(0, [&](std::size_t) {
+      for (const auto& run : runs) {
+        record(without_faults(run.scenario), twin_folder(run.folder), true);
+      }
+    });
+  }
+  std::vector<RunResult> results;
+  for (const auto& run : runs) {
+    results.push_back(record(run.scenario, run.folder, quiet));
+  }
+  while (twins.count() > 0) {
+    twins.reap([](std::size_t, const std::string& complaint) {
+      if (!complaint.empty()) {
+        throw run_failed("the day without faults: " + complaint);
+      }
+    });
+  }
+  return results;
+}
+
+/// Writes the pages and what the faults cost, which it gives back as tables.
+std::string write_reports(const fs::path& folder, const std::vector<RunResult>& results) {
+  std::string tables;
   std::vector<RecordedRun> runs;
   for (const auto& result : results) {
     runs.push_back(read_run(result.folder));
+    if (!runs.back().faults.empty()) {
+      const RecordedRun twin = read_run(twin_folder(result.folder));
+      write_costs(runs.back(), twin);
+      write_report(twin.folder / "report.html", {twin});
+      tables += result.controller + ": what the faults cost\n" + cost_table(costs_of(runs.back(), twin)) + "\n";
+    }
     write_report(result.folder / "report.html", {runs.back()});
   }
   if (runs.size() > 1) {
     write_report(folder / "report.html", runs);
   }
+  return tables;
 }
 
 /// Throws Error{expectation_failed} naming every expectation that does not hold.
@@ -79,17 +135,6 @@ void check_expectations(const Scenario& scenario, const std::vector<RunResult>& 
   }
 }
 
-std::vector<RunResult> run_all(const Scenario& scenario, const fs::path& folder, bool quiet) {
-  std::vector<RunResult> results;
-  for (const auto& controller : scenario.controllers) {
-    const fs::path own = scenario.controllers.size() == 1 ? folder : folder / controller;
-    const Scenario one = with_controller(scenario, controller);
-    results.push_back(
-        record_day(one, resolved_yaml(one, controller), own, {.transport = scenario.transport, .quiet = quiet}));
-  }
-  return results;
-}
-
 /// The words of a command line that is taken from the current directory.
 Command words_of(const std::string& text) {
   std::istringstream in(text);
@@ -106,15 +151,15 @@ void run(const Arguments& arguments) {
   const fs::path folder = arguments.out.empty() ? claim_folder(scenario) : fs::path(arguments.out);
   std::vector<RunResult> results;
   try {
-    results = run_all(scenario, folder, arguments.quiet);
+    results = record_all(runs_of(scenario, folder), arguments.quiet);
   } catch (...) {
     std::error_code not_empty;
     fs::remove(folder, not_empty);
     throw;
   }
-  write_reports(folder, results);
+  const std::string costs = write_reports(folder, results);
   if (!arguments.quiet) {
-    std::printf("\n%s\n", side_by_side(results).c_str());
+    std::printf("\n%s\n%s", side_by_side(results).c_str(), costs.c_str());
   }
   for (const auto& result : results) {
     std::printf("%s\n", result.folder.c_str());

@@ -60,6 +60,15 @@ std::string side_by_side(const std::vector<RunResult>& results) {
   return text + "\n";
 }
 
+std::string cost_table(const std::vector<MetricCost>& costs) {
+  std::vector<std::vector<std::string>> rows = {{"", "with", "without", "cost", "area", "back after"}};
+  for (const auto& [metric, cost] : costs) {
+    rows.push_back({metric, fixed(cost.with, 1), fixed(cost.without, 1), fixed(cost.cost(), 1), fixed(cost.area, 1),
+                    cost.recovered ? std::to_string(*cost.recovered) + " min" : "never"});
+  }
+  return aligned(rows, 1);
+}
+
 std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size_t left) {
   std::vector<std::size_t> widths;
   for (const auto& row : rows) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "experiments/record/paired_run.hpp"
 #include "experiments/record/run_record.hpp"
 
 #include <cstddef>
@@ -10,6 +11,9 @@ namespace evbal {
 
 /// The totals of runs side by side, a column a run, aligned for a terminal.
 std::string side_by_side(const std::vector<RunResult>& results);
+
+/// What the faults of a run cost, a row a metric, aligned likewise.
+std::string cost_table(const std::vector<MetricCost>& costs);
 
 /// Rows of cells in columns, the first `left` of them flush left, the others flush right.
 std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size_t left);

@@ -7,6 +7,7 @@
 #include "experiments/record/summary.hpp"
 #include "experiments/record/text.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <iterator>
 #include <set>
@@ -17,10 +18,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Whether a record can be made there: in a directory without files. That of the twin may be there already.
+bool is_free(const fs::path& folder) {
+  const fs::directory_iterator entries(folder);
+  return std::all_of(begin(entries), end(entries), [](const auto& entry) { return entry.is_directory(); });
+}
+
 /// Makes `folder` and says whether it was not there before.
 bool prepare(const fs::path& folder) {
   std::error_code error;
-  if (fs::exists(folder, error) && !(fs::is_directory(folder, error) && fs::is_empty(folder, error))) {
+  if (fs::exists(folder, error) && !(fs::is_directory(folder, error) && is_free(folder))) {
     throw bad_input(folder.string() + ": is there and not an empty directory; give a new one with --out");
   }
   const bool created = fs::create_directories(folder, error);

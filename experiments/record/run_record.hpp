@@ -43,11 +43,12 @@ struct RunResult {
 ///     steps.csv, regions.csv   one row a step, one a step and region (metrics.hpp)
 ///     summary.json             what it came to (summary.hpp)
 ///     INCOMPLETE               until finish(): how far the run came
+///     without-faults           its twin, faults.csv what the faults cost (paired_run.hpp)
 ///
 /// If no tick was recorded when the object dies, what it created is removed again.
 class RunRecord {
  public:
-  /// Creates the directory. Throws Error{bad_input} if it is there and not empty, or cannot be made.
+  /// Creates the directory. Throws Error{bad_input} if there are files in it, or it cannot be made.
   RunRecord(std::filesystem::path folder, RunHeader header);
   ~RunRecord();
   RunRecord(const RunRecord&) = delete;

@@ -21,12 +21,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-struct Worker {
-  std::size_t job = 0;
-  pid_t id = 0;
-  int complaint = -1;  ///< pipe, from which what went wrong can be read
-};
-
 [[noreturn]] void work_as_child(pid_t parent, int complaint, const std::function<void()>& work) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) {
@@ -41,10 +35,10 @@ struct Worker {
   }
 }
 
-/// What the worker, which has ended, complained of.
-std::string complaint_of(const Worker& worker, int status) {
+/// What a worker, which has ended, complained of.
+std::string complaint_of(int pipe, int status) {
   std::array<char, 4096> text{};
-  const ssize_t length = read(worker.complaint, text.data(), text.size());
+  const ssize_t length = read(pipe, text.data(), text.size());
   if (WIFEXITED(status) && WEXITSTATUS(status) == EXIT_SUCCESS) {
     return "";
   }
@@ -54,63 +48,50 @@ std::string complaint_of(const Worker& worker, int status) {
   return length > 0 ? std::string(text.data(), static_cast<std::size_t>(length)) : "its process failed";
 }
 
-/// The processes at work; those that are left when it dies are ended.
-class Workers {
- public:
-  Workers() = default;
-  ~Workers() {
-    for (const auto& worker : workers_) {
-      kill(worker.id, SIGKILL);
-      waitpid(worker.id, nullptr, 0);
-      close(worker.complaint);
-    }
+}  // namespace
+
+Workers::~Workers() {
+  for (const auto& worker : workers_) {
+    kill(worker.id, SIGKILL);
+    waitpid(worker.id, nullptr, 0);
+    close(worker.complaint);
   }
-  Workers(const Workers&) = delete;
-  Workers& operator=(const Workers&) = delete;
+}
 
-  std::size_t count() const { return workers_.size(); }
-
-  void start(std::size_t job, const std::function<void(std::size_t)>& work) {
-    std::array<int, 2> ends{};
-    if (pipe2(ends.data(), O_CLOEXEC) != 0) {
-      throw run_failed(std::string("no pipe to a process: ") + std::strerror(errno));
-    }
-    const pid_t self = getpid();
-    const pid_t id = fork();
-    if (id == 0) {
-      work_as_child(self, ends[1], [&] { work(job); });
-    }
-    close(ends[1]);
-    if (id < 0) {
-      close(ends[0]);
-      throw run_failed(std::string("no process can be started: ") + std::strerror(errno));
-    }
-    workers_.push_back({job, id, ends[0]});
+void Workers::start(std::size_t job, const std::function<void(std::size_t)>& work) {
+  std::array<int, 2> ends{};
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) {
+    throw run_failed(std::string("no pipe to a process: ") + std::strerror(errno));
   }
+  const pid_t self = getpid();
+  const pid_t id = fork();
+  if (id == 0) {
+    work_as_child(self, ends[1], [&] { work(job); });
+  }
+  close(ends[1]);
+  if (id < 0) {
+    close(ends[0]);
+    throw run_failed(std::string("no process can be started: ") + std::strerror(errno));
+  }
+  workers_.push_back({job, id, ends[0]});
+}
 
-  /// Waits until one ends at least.
-  void reap(const std::function<void(std::size_t, const std::string&)>& done) {
-    for (;; std::this_thread::sleep_for(10ms)) {
-      check_interrupt();
-      for (auto worker = workers_.begin(); worker != workers_.end(); ++worker) {
-        int status = 0;
-        if (waitpid(worker->id, &status, WNOHANG) == worker->id) {
-          const Worker ended = *worker;
-          workers_.erase(worker);
-          const std::string complaint = complaint_of(ended, status);
-          close(ended.complaint);
-          done(ended.job, complaint);
-          return;
-        }
+void Workers::reap(const std::function<void(std::size_t, const std::string&)>& done) {
+  for (;; std::this_thread::sleep_for(10ms)) {
+    check_interrupt();
+    for (auto worker = workers_.begin(); worker != workers_.end(); ++worker) {
+      int status = 0;
+      if (waitpid(worker->id, &status, WNOHANG) == worker->id) {
+        const Worker ended = *worker;
+        workers_.erase(worker);
+        const std::string complaint = complaint_of(ended.complaint, status);
+        close(ended.complaint);
+        done(ended.job, complaint);
+        return;
       }
     }
   }
-
- private:
-  std::vector<Worker> workers_;
-};
-
-}  // namespace
+}
 
 void work_through(const std::vector<std::size_t>& jobs, int at_a_time, const std::function<void(std::size_t)>& work,
                   const std::function<void(std::size_t, const std::string&)>& done) {

@@ -39,6 +39,22 @@ TEST(Run, LeavesACompleteDirectoryAndATable) {
   EXPECT_NE(ended.err.find("[outage]"), std::string::npos) << ended.err;
 }
 
+TEST(Run, IsPairedWithTheSameDayWithoutFaults) {
+  const CommandLine line;
+  const Ended ended = line.evbal("run morning.yaml --out a");
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  EXPECT_NE(ended.out.find("nominal: what the faults cost"), std::string::npos) << ended.out;
+  EXPECT_TRUE(text_of(line.path() / "a" / "faults.csv").starts_with("metric,with,without,cost"));
+  EXPECT_NE(text_of(line.path() / "a" / "summary.json").find("without_faults"), std::string::npos);
+  std::ofstream(line.path() / "none.yaml") << "schema: 1\nfaults: []\n";
+  ASSERT_EQ(line.evbal("run morning.yaml --faults none.yaml --out b").status, 0);
+  EXPECT_EQ(line.summary("a/without-faults", "digest"), line.summary("b", "digest"));
+  EXPECT_NE(line.summary("a", "digest"), line.summary("b", "digest"));
+  EXPECT_FALSE(fs::exists(line.path() / "b" / "without-faults"));
+  EXPECT_EQ(line.evbal("replay a").status, 0);
+  EXPECT_EQ(line.evbal("replay a/without-faults").status, 0);
+}
+
 TEST(Run, TakesADirectoryOfItsOwnEachTime) {
   const CommandLine line;
   EXPECT_EQ(line.evbal("run morning.yaml --controller none --quiet").out, "runs/morning-2024-01-11-none-seed1\n");

@@ -1,0 +1,94 @@
+#include "experiments/record/paired_run.hpp"
+
+#include "common/text_of_file.hpp"
+#include "experiments/record/text.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cassert>
+
+namespace evbal {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The numbers of a row by name, in the order of the files: `visit("name", value)`.
+template <class Visit>
+void columns(Visit&& visit, const FaultCost& cost) {
+  visit("with", cost.with);
+  visit("without", cost.without);
+  visit("cost", cost.cost());
+  visit("area", cost.area);
+  visit("signed_area", cost.signed_area);
+  visit("band", cost.band);
+}
+
+std::string cell(const std::optional<int>& minutes) {
+  return "," + (minutes ? shortest(*minutes) : "");
+}
+
+Json value(const std::optional<int>& minutes) {
+  return minutes ? Json(*minutes) : Json(nullptr);
+}
+
+std::string csv(const RecordedRun& run, const std::vector<MetricCost>& costs) {
+  std::string text = "metric";
+  columns([&](const char* name, double) { text.append(",").append(name); }, FaultCost{});
+  text += ",recovered_min";
+  for (const auto& fault : run.faults) {
+    text += ",recovered_min:" + fault.name;
+  }
+  for (const auto& [metric, cost] : costs) {
+    text += "\n" + metric;
+    columns([&](const char*, double number) { text.append(",").append(shortest(number)); }, cost);
+    text += cell(cost.recovered);
+    for (const auto& minutes : cost.by_fault) {
+      text += cell(minutes);
+    }
+  }
+  return text + "\n";
+}
+
+Json json(const RecordedRun& run, const std::vector<MetricCost>& costs) {
+  Json metrics;
+  for (const auto& [metric, cost] : costs) {
+    Json& row = metrics[metric];
+    columns([&](const char* name, double number) { row[name] = number; }, cost);
+    row["recovered_min"] = value(cost.recovered);
+    for (std::size_t fault = 0; fault < run.faults.size(); ++fault) {
+      row["by_fault"][run.faults[fault].name] = value(cost.by_fault[fault]);
+    }
+  }
+  return metrics;
+}
+
+}  // namespace
+
+std::filesystem::path twin_folder(const std::filesystem::path& folder) {
+  return folder / "without-faults";
+}
+
+std::vector<MetricCost> costs_of(const RecordedRun& run, const RecordedRun& twin) {
+  assert(run.step_minutes == twin.step_minutes);
+  std::vector<FaultWindow> windows;
+  for (const auto& fault : run.faults) {
+    windows.push_back({fault.start, fault.end});
+  }
+  std::vector<MetricCost> costs;
+  for (const auto& metric : costed_metrics()) {
+    const PairedCurves curves{run.steps.at(metric.name), twin.steps.at(metric.name), run.step_minutes};
+    costs.push_back({metric.name, fault_cost(curves, metric.stock, windows)});
+  }
+  return costs;
+}
+
+void write_costs(const RecordedRun& run, const RecordedRun& twin) {
+  const auto costs = costs_of(run, twin);
+  write_file(run.folder / "faults.csv", csv(run, costs));
+  const auto file = run.folder / "summary.json";
+  Json summary = Json::parse(text_of_file(file));
+  summary["without_faults"] = {{"digest", twin.digest}, {"metrics", json(run, costs)}};
+  write_file(file, summary.dump(2) + "\n");
+}
+
+}  // namespace evbal

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "experiments/metrics/recovery.hpp"
+#include "experiments/record/recorded_run.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// A run with faults and its twin, the same without: the run directory `without-faults` in its own.
+namespace evbal {
+
+/// Where the twin of the run in `folder` is recorded.
+std::filesystem::path twin_folder(const std::filesystem::path& folder);
+
+/// What the faults cost by one metric.
+struct MetricCost {
+  std::string metric;  ///< a column of steps.csv
+  FaultCost cost;
+};
+
+/// What the faults of `run` cost, of each of costed_metrics(). `twin` is of the same clock.
+std::vector<MetricCost> costs_of(const RecordedRun& run, const RecordedRun& twin);
+
+/// Writes faults.csv into the run's directory, and the key `without_faults` of its summary.json.
+///
+///     faults.csv       metric, with, without, cost, area, signed_area, band, recovered_min, and
+///                      recovered_min:NAME of each fault; empty where the day never came back
+///     without_faults   digest of the twin; metrics, by name, of the same fields, the faults' under by_fault
+void write_costs(const RecordedRun& run, const RecordedRun& twin);
+
+}  // namespace evbal
