@@ -4,7 +4,8 @@
 namespace evbal {
 
 extern const char* const page_html;
-extern const char* const page_js;
-extern const char* const chart_js;
+extern const char* const page_css;
+extern const char* const page_js;  ///< all scripts of page/, one after the other
+extern const char* const d3_js;
 
 }  // namespace evbal

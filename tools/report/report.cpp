@@ -106,9 +106,10 @@ std::string report_page(const std::vector<RecordedRun>& runs, const std::vector<
                      {"runs", runs_json(runs)},
                      {"forecasts", forecasts_json(forecasts)},
                      {"faults", faults_json(runs)}};
-  std::string page = filled(page_html, "/*DATA*/", script_safe(data));
+  std::string page = filled(page_html, "/*PAGE_CSS*/", page_css);
+  page = filled(std::move(page), "/*D3_JS*/", d3_js);
   page = filled(std::move(page), "/*PAGE_JS*/", page_js);
-  return filled(std::move(page), "/*CHART_JS*/", chart_js);
+  return filled(std::move(page), "/*DATA*/", script_safe(data));
 }
 
 }  // namespace evbal

@@ -1,0 +1,124 @@
+"use strict";
+// Runs side by side: their totals, their days hour by hour, what was forecast of the first one's.
+
+const dayStart = report.day_start === undefined ? 0 : minuteOf(report.day_start);
+
+// [{from, to, steps}] of the clock's hours, in minutes after midnight.
+function hours() {
+  const found = new Map();
+  report.runs[0].steps.step.forEach((_, step) => {
+    const hour = Math.floor((dayStart + step * report.step_minutes) / 60);
+    found.set(hour, [...(found.get(hour) ?? []), step]);
+  });
+  return [...found.values()].map(steps => ({
+    from: dayStart + steps[0] * report.step_minutes,
+    to: dayStart + (steps.at(-1) + 1) * report.step_minutes,
+    steps,
+  }));
+}
+
+const ofHour = (day, column, hour) => sum(hour.steps.map(step => day.steps[column][step]));
+
+const hourly = [
+  {title: "Idle distance", note: "Driven without a passenger to rebalance or to charge, low-battery cars weighted by beta.",
+   axis: "km per hour", value: (day, hour) => ofHour(day, "idle_km", hour)},
+  {title: "Unfairness of the supply-demand ratio", note: "Sum over regions of the distance from the city's ratio; lower is fairer.",
+   axis: "sum of |difference|", value: (day, hour) => ofHour(day, "unfairness_demand", hour)},
+  {title: "Unfairness of utilisation", note: "The same for charged cars over cars that need a charger, regions with points.",
+   axis: "sum of |difference|", value: (day, hour) => ofHour(day, "unfairness_charging", hour)},
+  {title: "Lost passengers", note: "Those whose patience ended; less driving with more of them is no saving.",
+   axis: "passengers per hour", value: (day, hour) => ofHour(day, "lost", hour)},
+  {title: "Queue for a charger", note: "Low-battery cars waiting where there is a station, mean over the hour.",
+   axis: "cars", value: (day, hour) => ofHour(day, "queue_minutes", hour) / (hour.to - hour.from)},
+  {title: "Passenger's wait", note: "Of the served passengers, mean over the hour.",
+   axis: "minutes", value: (day, hour) => ofHour(day, "wait_minutes", hour) / Math.max(1, ofHour(day, "served", hour))},
+];
+
+// better: -1 where less is better, 1 where more is.
+const totals = [
+  {name: "Idle distance", unit: "km", digits: 0, better: -1, value: run => run.totals.idle_km},
+  {name: "Unfairness of the supply-demand ratio", digits: 1, better: -1, value: run => run.totals.unfairness_demand},
+  {name: "Unfairness of utilisation", digits: 1, better: -1, value: run => run.totals.unfairness_charging},
+  {name: "Served passengers", digits: 0, better: 1, value: run => run.totals.served},
+  {name: "Lost passengers", digits: 0, better: -1, value: run => run.totals.lost},
+  {name: "Lost share of passengers", unit: "%", digits: 1, better: -1, value: run => 100 * run.totals.unserved_ratio},
+  {name: "Lost share, worst tenth of regions", unit: "%", digits: 1, better: -1, value: run => 100 * run.totals.p90_regional_loss},
+  {name: "Passenger's wait", unit: "min", digits: 1, better: -1, value: run => run.totals.passenger_wait_min},
+  {name: "Charger wait per session", unit: "min", digits: 1, better: -1, value: run => run.totals.charger_wait_min_per_session},
+  {name: "Idle distance per served passenger", unit: "km", digits: 2, better: -1, value: run => run.totals.idle_km_per_served},
+  {name: "Stranded cars", digits: 0, better: -1, value: run => run.totals.stranded},
+  {name: "Energy charged", unit: "kWh", digits: 0, better: 0, value: run => run.totals.charged_kwh},
+  {name: "Plans that fell back", digits: 0, better: 0, value: run => run.fallbacks},
+  {name: "Solver time per plan, median", unit: "s", digits: 2, better: 0, value: run => run.solve_seconds_median},
+];
+
+// A change in percent, coloured by whether it is for the better.
+function change(ratio, better) {
+  if (!Number.isFinite(ratio) || better === 0) {
+    return element("td", "");
+  }
+  const percent = 100 * (ratio - 1);
+  const sign = percent > 0 ? "+" : percent < 0 ? "−" : "±";
+  const kind = Math.abs(percent) < 0.05 ? "" : percent * better > 0 ? "better" : "worse";
+  return element("td", kind, sign + number(Math.abs(percent), 1) + " %");
+}
+
+function swatch(style) {
+  const made = element("span", "swatch");
+  made.style.background = colourOf(style);
+  return made;
+}
+
+function totalsTable() {
+  const [first, ...others] = report.runs;
+  const head = ["The day", element("th", "", swatch(0), first.label)];
+  others.forEach((run, i) => head.push(element("th", "", swatch(i + 1), run.label), "against " + first.label));
+  return table(head, totals.map(row => [
+    element("td", "", row.name + " ", element("small", "", row.unit ?? "")),
+    number(row.value(first), row.digits),
+    ...others.flatMap(run => [number(row.value(run), row.digits), change(row.value(run) / row.value(first), row.better)]),
+  ]));
+}
+
+const dayAxis = () => ({label: "time of day", clock: true,
+  domain: [dayStart, dayStart + report.step_minutes * report.runs[0].steps.step.length]});
+
+const windows = () => report.faults.map(({name, start, end}) => ({name, from: dayStart + start, to: dayStart + end}));
+
+function hourlyChart({axis, value}) {
+  const points = day => hours().map(hour => ({x: (hour.from + hour.to) / 2, y: value(day, hour),
+    name: clock(hour.from) + " – " + clock(hour.to)}));
+  return {x: dayAxis(), y: {label: axis}, windows: windows(),
+    series: report.runs.map((run, i) => ({label: run.label, style: i, points: points(run)}))};
+}
+
+// What a day brought, step by step, over what was forecast of it and twice the standard deviation around that.
+function forecastChart({unit, observed, forecast, deviation}) {
+  const points = more => observed.map((_, step) => ({x: dayStart + (step + 0.5) * report.step_minutes, ...more(step)}));
+  return {x: dayAxis(), y: {label: unit}, windows: windows(), series: [
+    {label: "± 2 standard deviations", style: 1, band: true, bare: true, points: points(step => (
+      {low: Math.max(0, forecast[step] - 2 * deviation[step]), high: forecast[step] + 2 * deviation[step]}))},
+    {label: "real", style: 0, points: points(step => ({y: observed[step]}))},
+    {label: "forecast one step before", style: 1, bare: true, points: points(step => ({y: forecast[step]}))},
+  ]};
+}
+
+function runNotes() {
+  const code = text => element("code", "", text);
+  return element("div", "notes", ...report.runs.map(run => element("div", "",
+    run.label + ": digest ", code(run.digest), ", over " + run.transport + ", " + number(run.wall_seconds) +
+    " s; the same again: ", code("evbal replay " + run.folder))));
+}
+
+function addRuns() {
+  const first = report.runs[0];
+  const weekday = new Date(first.date + "T12:00:00").toLocaleDateString("en-GB",
+    {weekday: "long", day: "numeric", month: "long", year: "numeric"});
+  const words = number(first.regions) + " regions, " + number(first.fleet) + " vehicles, seed " + first.seed + ".";
+  section(weekday, element("p", "", words), element("div", "card wide", totalsTable()), runNotes());
+  section("Hour by hour", figures(hourly.map(one => figure(one.title, one.note, hourlyChart(one)))));
+  if (report.forecasts.length > 0) {
+    section("Forecast", figures(report.forecasts.map(one => figure(one.title,
+      "The whole city, " + first.label + "; faults are in what came, not in the forecast.", forecastChart(one)))));
+  }
+}
