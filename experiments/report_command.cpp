@@ -34,16 +34,16 @@ std::vector<fs::path> runs_in(const fs::path& folder) {
 }
 
 /// What the run's model says of its day one step ahead, demand and supply.
-std::vector<ForecastFigure> forecast_figures(const RecordedRun& run) {
-  const Scenario scenario = read_scenario(run.folder / "scenario.resolved.yaml");
+std::vector<ForecastFigure> forecast_figures(const RecordedRun& run, const Scenario& scenario) {
   const CityModel model = read_model(model_file(scenario.planning, scenario.world.city));
   if (model.regions() != run.regions) {
     return {};
   }
   const DayKind kind = model.kind(run.date);
   const int start = scenario.world.clock.start - model.day_start;
-  std::vector<ForecastFigure> figures{forecast_figure(model.demand.seasonal, kind, start, run.demand),
-                                      forecast_figure(model.completions.seasonal, kind, start, run.completions)};
+  std::vector<ForecastFigure> figures{
+      forecast_figure(model.demand.seasonal, kind, start, run.by_region.at("demand")),
+      forecast_figure(model.completions.seasonal, kind, start, run.by_region.at("completions"))};
   figures[0].title = "Demand, forecast and real";
   figures[0].unit = "passengers per step";
   figures[1].title = "Supply, forecast and real";
@@ -51,13 +51,17 @@ std::vector<ForecastFigure> forecast_figures(const RecordedRun& run) {
   return figures;
 }
 
-/// The same; nothing if the city is no longer there: a run outlives it.
-std::vector<ForecastFigure> figures_if_any(const RecordedRun& run) {
+/// The runs, and what their city adds to them, if it is still there: a run outlives it.
+PageContent content_on(const std::vector<RecordedRun>& runs) {
+  PageContent content{.runs = runs};
   try {
-    return forecast_figures(run);
+    const Scenario scenario = read_scenario(runs.front().folder / "scenario.resolved.yaml");
+    content.map = city_map(scenario.world.city.regions);
+    content.forecasts = forecast_figures(runs.front(), scenario);
   } catch (const Error&) {
-    return {};
+    return content;
   }
+  return content;
 }
 
 void report(const std::vector<std::string>& folders, const std::string& out) {
@@ -76,7 +80,7 @@ void report(const std::vector<std::string>& folders, const std::string& out) {
 }  // namespace
 
 void write_report(const fs::path& page, const std::vector<RecordedRun>& runs) {
-  write_file(page, report_page(runs, figures_if_any(runs.front())));
+  write_file(page, report_page(content_on(runs)));
 }
 
 void add_report_command(CLI::App& app) {

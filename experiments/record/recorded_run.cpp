@@ -65,15 +65,11 @@ Eigen::MatrixXd by_region(const std::vector<double>& column, int regions) {
   return Eigen::Map<const Eigen::MatrixXd>(column.data(), regions, static_cast<Eigen::Index>(column.size()) / regions);
 }
 
-void read_faults(const fs::path& file, RecordedRun& run) {
+int count_ticks(const fs::path& file) {
   const SQLite::Database database(file.string());
-  SQLite::Statement query(database, "SELECT name, type, start, end FROM faults ORDER BY fault");
-  while (query.executeStep()) {
-    run.faults.push_back({.name = query.getColumn(0).getString(),
-                          .type = query.getColumn(1).getString(),
-                          .start = query.getColumn(2).getInt(),
-                          .end = query.getColumn(3).getInt()});
-  }
+  SQLite::Statement query(database, "SELECT count(*) FROM injector");
+  query.executeStep();
+  return query.getColumn(0).getInt();
 }
 
 }  // namespace
@@ -87,10 +83,11 @@ RecordedRun read_run(const fs::path& folder) {
   try {
     read_summary(folder / "summary.json", run);
     run.steps = read_columns(folder / "steps.csv");
-    const auto regions = read_columns(folder / "regions.csv");
-    run.demand = by_region(regions.at("demand"), run.regions);
-    run.completions = by_region(regions.at("completions"), run.regions);
-    read_faults(folder / "run.sqlite", run);
+    for (const auto& [name, column] : read_columns(folder / "regions.csv")) {
+      run.by_region[name] = by_region(column, run.regions);
+    }
+    run.ticks = count_ticks(folder / "run.sqlite");
+    run.faults = read_faults(folder / "run.sqlite");
   } catch (const nlohmann::json::exception& error) {
     throw bad_input((folder / "summary.json").string() + ": " + error.what());
   } catch (const SQLite::Exception& error) {

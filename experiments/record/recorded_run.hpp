@@ -1,6 +1,6 @@
 #pragma once
 
-#include "experiments/record/day_file.hpp"
+#include "experiments/record/recorded_fault.hpp"
 
 #include <Eigen/Core>
 
@@ -31,9 +31,9 @@ struct RecordedRun {
   double wall_seconds = 0.0;
   std::map<std::string, double> totals;              ///< by metric
   std::map<std::string, std::vector<double>> steps;  ///< columns of steps.csv, but for `start`
-  Eigen::MatrixXd demand;                            ///< passengers who appeared, regions x steps
-  Eigen::MatrixXd completions;                       ///< charging sessions that ended charged, regions x steps
-  std::vector<RequestedFault> faults;
+  std::map<std::string, Eigen::MatrixXd> by_region;  ///< columns of regions.csv but for `start`, regions x steps
+  int ticks = 0;
+  std::vector<RecordedFault> faults;
 };
 
 /// Throws Error{bad_input} if `folder` holds no finished run.

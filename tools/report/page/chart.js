@@ -1,8 +1,8 @@
 "use strict";
 // A chart of lines as SVG. A chart is
-//   {x: {label, domain, clock}, y: {label, fitted}, windows: [{name, from, to}],
+//   {x: {label, domain, clock, mark}, y: {label, fitted}, windows: [{name, from, to}],
 //    series: [{label, style, thin, bare, band, points: [{x, y, low, high, name}]}]}
-// x.clock: x are minutes after midnight; y.fitted: the axis need not start at 0; style counts colours, dashes and
+// x.clock: x are minutes after midnight; x.mark: one of them, marked; y.fitted: the axis need not start at 0; style counts colours, dashes and
 // symbols; bare: without symbols; band: from low to high, without a line unless points have y.
 
 const plotHeight = 240;
@@ -154,6 +154,9 @@ function drawChart(place, chart, width) {
   drawAxes(svg, chart, scales, left, width);
   drawWindows(svg, chart, scales);
   chart.series.forEach(series => drawSeries(svg, series, scales));
+  if (chart.x.mark !== undefined) {
+    svg.append("path").attr({class: "here", d: "M" + scales.x(chart.x.mark) + "," + top + "v" + plotHeight});
+  }
   const height = drawLegend(svg, chart, left, width, top + plotHeight + 50);
   svg.attr({viewBox: "0 0 " + width + " " + height, "aria-label": chart.y.label + " by " + chart.x.label});
   listen(svg, chart, scales);

@@ -14,9 +14,7 @@ function svgText(svg) {
   });
   const {width, height} = svg.viewBox.baseVal;
   const ground = document.createElementNS(svg.namespaceURI, "rect");
-  for (const [name, value] of Object.entries({width, height, fill: getComputedStyle(svg.closest(".card")).backgroundColor})) {
-    ground.setAttribute(name, value);
-  }
+  d3.select(ground).attr({width, height, fill: getComputedStyle(svg.closest(".card")).backgroundColor});
   copy.prepend(ground);
   copy.setAttribute("width", width);
   copy.setAttribute("height", height);
@@ -25,7 +23,8 @@ function svgText(svg) {
 
 const fileName = title => title.toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "");
 
-// The card of a drawing; `draw(frame, width)` draws anew whenever the width changes, `rows()` are its numbers.
+// The card of a drawing; `draw(frame, width)` draws it, anew whenever the width changes or card.redraw() is called;
+// `rows()` are its numbers.
 function drawing(title, note, draw, rows, ...controls) {
   const frame = element("div", "frame");
   const links = element("div", "links",
@@ -33,18 +32,19 @@ function drawing(title, note, draw, rows, ...controls) {
     download("CSV", fileName(title) + ".csv", "text/csv", () => csvText(rows())));
   const card = element("figure", "card", element("h3", "", title), element("p", "", note), ...controls, frame, links);
   let drawn = 0;
-  new ResizeObserver(() => {
-    const width = Math.round(frame.clientWidth);
-    if (width > 0 && width !== drawn) {
-      drawn = width;
+  card.redraw = () => {
+    drawn = Math.round(frame.clientWidth);
+    if (drawn > 0) {
       frame.replaceChildren();
-      draw(frame, width);
+      draw(frame, drawn);
     }
-  }).observe(frame);
+  };
+  new ResizeObserver(() => Math.round(frame.clientWidth) === drawn || card.redraw()).observe(frame);
   return card;
 }
 
+// The card of a chart that `chart()` gives.
 const figure = (title, note, chart) =>
-  drawing(title, note, (frame, width) => drawChart(frame, chart, width), () => chartRows(chart));
+  drawing(title, note, (frame, width) => drawChart(frame, chart(), width), () => chartRows(chart()));
 
 const figures = all => element("div", "figures", ...all);

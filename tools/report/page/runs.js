@@ -83,7 +83,7 @@ function totalsTable() {
 const dayAxis = () => ({label: "time of day", clock: true,
   domain: [dayStart, dayStart + report.step_minutes * report.runs[0].steps.step.length]});
 
-const windows = () => report.faults.map(({name, start, end}) => ({name, from: dayStart + start, to: dayStart + end}));
+const windows = () => report.windows.map(({name, start, end}) => ({name, from: dayStart + start, to: dayStart + end}));
 
 function hourlyChart({axis, value}) {
   const points = day => hours().map(hour => ({x: (hour.from + hour.to) / 2, y: value(day, hour),
@@ -116,9 +116,12 @@ function addRuns() {
     {weekday: "long", day: "numeric", month: "long", year: "numeric"});
   const words = number(first.regions) + " regions, " + number(first.fleet) + " vehicles, seed " + first.seed + ".";
   section(weekday, element("p", "", words), element("div", "card wide", totalsTable()), runNotes());
-  section("Hour by hour", figures(hourly.map(one => figure(one.title, one.note, hourlyChart(one)))));
+  if (report.map) {
+    addMap();
+  }
+  section("Hour by hour", figures(hourly.map(one => figure(one.title, one.note, () => hourlyChart(one)))));
   if (report.forecasts.length > 0) {
     section("Forecast", figures(report.forecasts.map(one => figure(one.title,
-      "The whole city, " + first.label + "; faults are in what came, not in the forecast.", forecastChart(one)))));
+      "The whole city, " + first.label + "; faults are in what came, not in the forecast.", () => forecastChart(one)))));
   }
 }

@@ -7,7 +7,8 @@ const number = (value, digits = 0) =>
   value.toLocaleString("en", {minimumFractionDigits: digits, maximumFractionDigits: digits});
 
 // As many digits as tell values of a chart apart.
-const brief = value => number(value, Math.abs(value) >= 100 ? 0 : Math.abs(value) >= 1 ? 1 : 3);
+const brief = value =>
+  number(value, Number.isInteger(value) || Math.abs(value) >= 100 ? 0 : Math.abs(value) >= 1 ? 1 : 3);
 
 // "17:30" for a minute after midnight, and back.
 const clock = minute => String(Math.floor(minute / 60)).padStart(2, "0") + ":" + String(minute % 60).padStart(2, "0");

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "agents/city/geometry.hpp"
+
+#include <string>
+#include <vector>
+
+namespace evbal {
+
+/// A city's regions on a plane.
+struct CityMap {
+  std::vector<std::string> names;                              ///< of the regions
+  std::vector<std::vector<std::vector<LocalPoint>>> outlines;  ///< of each region its rings
+};
+
+/// Seen from the mean of the regions' centroids.
+CityMap city_map(const std::vector<Region>& regions);
+
+}  // namespace evbal

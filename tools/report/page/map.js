@@ -1,0 +1,186 @@
+"use strict";
+// The city's regions, coloured by what is there as a slider moves through the day.
+
+const mapped = [
+  {name: "supply", label: "supply", unit: "vacant cars after dispatch"},
+  {name: "demand", label: "demand", unit: "passengers who appear"},
+  {name: "queue_minutes", label: "queue", unit: "cars waiting for a charger", per: () => report.step_minutes},
+  {name: "lost", label: "lost passengers", unit: "passengers whose patience ends"},
+  {name: "fault", label: "fault", unit: "faults that act"},
+];
+
+// What is looked at.
+const view = {run: report.runs[0], metric: mapped[0], step: 0, region: 0};
+
+const faultsOn = (run, step, region) =>
+  run.faults.filter(fault => fault.acts.some(([at, where]) => at === step && where === region));
+
+function regionValue(run, {name, per}, step, region) {
+  return name === "fault" ? faultsOn(run, step, region).length
+    : run.by_region[name][step * report.map.names.length + region] / (per ? per() : 1);
+}
+
+const stepNames = () => report.runs[0].steps.step.map(step => {
+  const from = dayStart + step * report.step_minutes;
+  return clock(from) + " – " + clock(from + report.step_minutes);
+});
+
+// The largest value of the day in any run: the colours mean the same all day and for every run.
+const largestValue = metric => metric.name === "fault" ? 1 : Math.max(1e-9, ...report.runs.map(run =>
+  run.by_region[metric.name].reduce((a, b) => Math.max(a, b)) / (metric.per ? metric.per() : 1)));
+
+// Viridis, which rises evenly in lightness, by the square root, so that small values are told apart too.
+const viridis = ["#440154", "#414487", "#2a788e", "#22a884", "#7ad151", "#fde725"];
+const shade = d3.scale.linear().domain(d3.range(6).map(i => i / 5)).range(viridis).interpolate(d3.interpolateLab).clamp(true);
+
+function fillOf(value, metric, largest) {
+  return metric.name === "fault" ? (value > 0 ? colourOf(1) : "var(--grid)") : shade(Math.sqrt(value / largest));
+}
+
+function regionWords(step, region) {
+  const said = mapped.slice(0, -1).map(metric => metric.label + ": " + brief(regionValue(view.run, metric, step, region)));
+  const faults = faultsOn(view.run, step, region).map(fault => fault.name);
+  return [report.map.names[region], ...said, ...(faults.length > 0 ? ["fault: " + faults.join(", ")] : [])].join("\n");
+}
+
+// Regions within `width`, and no higher than a screen.
+function mapPaths(width) {
+  const points = report.map.outlines.flat(2);
+  const [west, east] = d3.extent(points.filter((_, i) => i % 2 === 0));
+  const [north, south] = d3.extent(points.filter((_, i) => i % 2 === 1));
+  const scale = Math.min((width - 8) / (east - west), 460 / (south - north));
+  const shift = (width - scale * (east - west)) / 2;
+  const place = (x, y) => (shift + scale * (x - west)).toFixed(1) + "," + (4 + scale * (y - north)).toFixed(1);
+  const ring = numbers => "M" + d3.range(0, numbers.length, 2).map(i => place(numbers[i], numbers[i + 1])).join("L") + "Z";
+  return {paths: report.map.outlines.map(rings => rings.map(ring).join("")), height: 8 + scale * (south - north)};
+}
+
+function drawScale(svg, width, top, largest) {
+  const x = (width - 260) / 2;
+  const text = (at, y, words) => svg.append("text").attr({x: at, y, "text-anchor": "middle"}).text(words);
+  text(width / 2, top + 46, view.metric.unit);
+  if (view.metric.name === "fault") {
+    svg.append("rect").attr({x: width / 2 - 70, y: top, width: 12, height: 12}).style("fill", colourOf(1));
+    text(width / 2 + 12, top + 11, "a fault acts here");
+    return;
+  }
+  d3.range(52).forEach(i => svg.append("rect").attr({x: x + 5 * i, y: top, width: 5.5, height: 12, fill: shade(i / 51)}));
+  for (const share of [0, 0.25, 0.5, 0.75, 1]) {
+    text(x + 260 * share, top + 28, brief(largest * share * share));
+  }
+}
+
+// Gives the function that paints the map anew when only the step or the region has changed.
+function drawMap(frame, width) {
+  const {paths, height} = mapPaths(width);
+  const largest = largestValue(view.metric);
+  const svg = d3.select(frame).append("svg").attr({xmlns: "http://www.w3.org/2000/svg", role: "img", tabindex: 0,
+    viewBox: "0 0 " + width + " " + Math.ceil(height + 62)});
+  const regions = svg.append("g").selectAll("path").data(paths).enter().append("path")
+    .attr({class: "region", d: path => path, "fill-rule": "evenodd"});
+  const chosen = svg.append("path").attr({class: "chosen", fill: "none"});
+  drawScale(svg, width, height + 12, largest);
+  const tip = (_, region) => showTip(regionWords(view.step, region), d3.event.clientX, d3.event.clientY);
+  regions.on("mousemove", tip).on("mouseleave", hideTip).on("click", (_, region) => look({region}));
+  svg.on("keydown", () => {
+    const move = {ArrowLeft: -1, ArrowUp: -1, ArrowRight: 1, ArrowDown: 1}[d3.event.key];
+    if (move) {
+      d3.event.preventDefault();
+      look({region: (view.region + move + paths.length) % paths.length});
+    }
+  });
+  return () => {
+    regions.style("fill", (_, region) => fillOf(regionValue(view.run, view.metric, view.step, region), view.metric, largest));
+    chosen.attr("d", paths[view.region]);
+    svg.attr("aria-label", "Regions by " + view.metric.label + ", " + stepNames()[view.step] + "; chosen: " +
+      regionWords(view.step, view.region));
+  };
+}
+
+function mapRows() {
+  const names = stepNames();
+  const rows = [["time", "region", view.metric.unit]];
+  names.forEach((time, step) => report.map.names.forEach((name, region) =>
+    rows.push([time, name, regionValue(view.run, view.metric, step, region)])));
+  return rows;
+}
+
+// The day of the region that was chosen.
+function regionChart() {
+  const points = run => run.steps.step.map(step => ({x: dayStart + (step + 0.5) * report.step_minutes,
+    y: regionValue(run, view.metric, step, view.region), name: stepNames()[step]}));
+  return {
+    x: {...dayAxis(), mark: dayStart + (view.step + 0.5) * report.step_minutes},
+    y: {label: view.metric.unit},
+    windows: windows().filter(({name}) => report.runs.some(run =>
+      run.faults.some(fault => fault.name === name && fault.regions.includes(view.region)))),
+    series: report.runs.map((run, i) => ({label: run.label, style: i, bare: true, points: points(run)})),
+  };
+}
+
+let look;  // changes the view: look({step: 3})
+
+// A choice among `options`, [{label}].
+function choice(name, options, chosen) {
+  const select = element("select", "", ...options.map(option => element("option", "", option.label)));
+  select.setAttribute("aria-label", name);
+  select.addEventListener("change", () => chosen(options[select.selectedIndex]));
+  return select;
+}
+
+function stepSlider() {
+  const slider = element("input", "");
+  Object.assign(slider, {type: "range", min: 0, max: stepNames().length - 1, value: 0});
+  slider.setAttribute("aria-label", "time of day");
+  slider.addEventListener("input", () => look({step: Number(slider.value)}));
+  return slider;
+}
+
+// Moves on every 0.4 s until the day's end, or until it is pressed again.
+function playButton() {
+  const button = element("button", "", "▶ Play");
+  let timer = 0;
+  const stop = () => {
+    clearInterval(timer);
+    timer = 0;
+    button.textContent = "▶ Play";
+  };
+  const onward = () => view.step + 1 < stepNames().length ? look({step: view.step + 1}) : stop();
+  button.addEventListener("click", () => {
+    if (timer) {
+      stop();
+      return;
+    }
+    look({step: view.step + 1 < stepNames().length ? view.step : 0});
+    timer = setInterval(onward, 400);
+    button.textContent = "❚❚ Stop";
+  });
+  return button;
+}
+
+function addMap() {
+  const slider = stepSlider();
+  const time = element("output", "");
+  const faults = element("small", "");
+  const runs = report.runs.length > 1 ? [choice("run", report.runs, run => look({run}))] : [];
+  const controls = [element("div", "controls", ...runs, choice("colour", mapped, metric => look({metric})), playButton()),
+    element("div", "controls", slider, time, faults)];
+  let paint;
+  const map = drawing("Map", "Colours are the same all day and for every run. Click a region, or move among them by the arrow keys.",
+    (frame, width) => { paint = drawMap(frame, width); paint(); }, mapRows, ...controls);
+  const day = figure("Day of the region", "Of the region that is chosen on the map; the faults that act on it are shaded.",
+    regionChart);
+  const name = day.querySelector("h3");
+  look = change => {
+    Object.assign(view, change);
+    slider.value = view.step;
+    time.textContent = stepNames()[view.step];
+    faults.textContent = view.run.faults.filter(fault => fault.acts.some(([step]) => step === view.step))
+      .map(fault => fault.name).join(", ");
+    name.textContent = "Day of region " + report.map.names[view.region] + ": " + view.metric.label;
+    change.metric ? map.redraw() : paint?.();
+    day.redraw();
+  };
+  look({});
+  section("Region by region", figures([map, day]));
+}
