@@ -2,12 +2,14 @@
 
 #include "common/error.hpp"
 #include "common/interrupt.hpp"
+#include "common/text_of_file.hpp"
 #include "experiments/progress/live_view.hpp"
 #include "experiments/record/summary.hpp"
 #include "experiments/record/text.hpp"
 #include "experiments/record_day.hpp"
 #include "experiments/sweep/sweep.hpp"
 #include "experiments/sweep/sweep_file.hpp"
+#include "experiments/sweep/sweep_origin.hpp"
 #include "experiments/sweep/workers.hpp"
 
 #include <CLI/CLI.hpp>
@@ -153,6 +155,10 @@ void sweep(const Arguments& arguments) {
     fs::remove(folder.path() / csv);
   }
   play(sweep, keys, folder.file(), arguments);
+  const SweptDay& first = sweep.days.front();
+  note_origin(folder.file(), {.file = arguments.sweep.string(),
+                              .text = text_of_file(arguments.sweep),
+                              .scenario = resolved_yaml(scenario_of(first), first.controller)});
   write_file(folder.path() / "steps.csv", swept_steps_csv(folder.file()));
   write_file(folder.path() / "days.csv", swept_days_csv(folder.file()));
   std::printf("%s\n", (folder.path() / "days.csv").c_str());

@@ -66,6 +66,7 @@ Row day_row(std::size_t run, const Sweep& sweep, const SweptDay& day, const std:
 /// A row of `days` with its result.
 FinishedDay finished_day(SQLite::Statement& row) {
   FinishedDay day{.variant = row.getColumn("variant").getString(),
+                  .controller = row.getColumn("controller").getString(),
                   .faults = row.getColumn("faults").getString(),
                   .day = row.getColumn("day").getString(),
                   .seed = std::stoull(row.getColumn("seed").getString())};

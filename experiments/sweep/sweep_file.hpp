@@ -15,6 +15,7 @@
 ///     days      run, variant, controller, faults, day, seed, the settings by path, key      what is to be run
 ///     results   key, the totals by the names of metrics/columns.hpp, fallbacks, digest      a row a finished day
 ///     steps     key, start, the columns of steps.csv                                        its steps
+///     origin    what it was made from (sweep_origin.hpp)
 ///
 /// `run` counts from 1. `key` is a fingerprint of the day's resolved scenario: a result serves every sweep that asks
 /// for the same day. Each function opens the file anew, so that processes may add to it in turn.
@@ -46,6 +47,7 @@ std::string swept_steps_csv(const std::filesystem::path& file);
 /// A day of a sweep and what it came to.
 struct FinishedDay {
   std::string variant;
+  std::string controller{};
   std::string faults;
   std::string day;
   std::uint64_t seed = 0;

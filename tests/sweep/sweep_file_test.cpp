@@ -1,5 +1,7 @@
 #include "experiments/sweep/sweep_file.hpp"
 
+#include "experiments/sweep/finished_steps.hpp"
+#include "experiments/sweep/sweep_origin.hpp"
 #include "tests/folder.hpp"
 
 #include <gtest/gtest.h>
@@ -63,10 +65,33 @@ TEST_F(SweepFileOf3, GivesFinishedDaysBack) {
   const auto days = read_finished(file_);
   ASSERT_EQ(days.size(), 3U);
   EXPECT_EQ(days[0].variant, "a");
+  EXPECT_EQ(days[0].controller, "ratio");
   EXPECT_EQ(days[0].totals.at("lost"), 10.0);
   EXPECT_EQ(days[2].totals.at("lost"), 20.0);
   EXPECT_EQ(days[2].seed, 18446744073709551615ULL);
   EXPECT_EQ(days[2].settings.at("x"), "[1, 2]");
+}
+
+TEST_F(SweepFileOf3, GivesStepsBack) {
+  begin_sweep(file_, small_sweep(), {"k1", "k2", "k1"});
+  SweptResult result = small_result(1);
+  result.metrics.steps[1].flows.lost = 3;
+  add_result(file_, "k1", {}, result);
+  add_result(file_, "k2", {}, small_result(1));
+  const auto days = read_finished_steps(file_, {"idle_km", "lost"});
+  ASSERT_EQ(days.size(), 3U);
+  EXPECT_EQ(days[2].starts, (std::vector<std::string>{"05:00", "05:30"}));
+  EXPECT_EQ(days[2].columns.at("lost"), (std::vector<double>{0.0, 3.0}));
+  EXPECT_EQ(days[1].columns.at("lost"), (std::vector<double>{0.0, 0.0}));
+  EXPECT_THROW(read_finished_steps(file_, {"luck"}), Error);
+}
+
+TEST_F(SweepFileOf3, SaysWhatItWasMadeFrom) {
+  begin_sweep(file_, small_sweep(), {"k1", "k2", "k3"});
+  EXPECT_THROW(read_origin(file_), Error);
+  note_origin(file_, {.file = "a.yaml", .text = "old", .scenario = "s"});
+  note_origin(file_, {.file = "a.yaml", .text = "new", .scenario = "s"});
+  EXPECT_EQ(read_origin(file_).text, "new");
 }
 
 TEST_F(SweepFileOf3, RefusesAnotherFile) {

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace evbal {
+
+/// What a sweep was made from, kept in its sweep.sqlite (table `origin`) for those who read its results.
+struct SweepOrigin {
+  std::string file;      ///< as given on the command line
+  std::string text;      ///< of that file
+  std::string scenario;  ///< the first day's, resolved
+};
+
+/// Writes it in place of what stood there. The sweep.sqlite is there.
+void note_origin(const std::filesystem::path& file, const SweepOrigin& origin);
+
+/// Throws Error{bad_input} if the file does not say.
+SweepOrigin read_origin(const std::filesystem::path& file);
+
+}  // namespace evbal
