@@ -44,7 +44,7 @@ function drawing(title, note, draw, rows, ...controls) {
 }
 
 // The card of a chart that `chart()` gives.
-const figure = (title, note, chart) =>
-  drawing(title, note, (frame, width) => drawChart(frame, chart(), width), () => chartRows(chart()));
+const figure = (title, note, chart, ...controls) =>
+  drawing(title, note, (frame, width) => drawChart(frame, chart(), width), () => chartRows(chart()), ...controls);
 
 const figures = all => element("div", "figures", ...all);

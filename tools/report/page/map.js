@@ -25,62 +25,70 @@ const stepNames = () => report.runs[0].steps.step.map(step => {
   return clock(from) + " – " + clock(from + report.step_minutes);
 });
 
-// The largest value of the day in any run: the colours mean the same all day and for every run.
-const largestValue = metric => metric.name === "fault" ? 1 : Math.max(1e-9, ...report.runs.map(run =>
-  run.by_region[metric.name].reduce((a, b) => Math.max(a, b)) / (metric.per ? metric.per() : 1)));
+// Where the colours end: what all but a fiftieth of the values of the day and of all runs stay below, so that one
+// crowded region does not make all others alike.
+function topOf({name, per}) {
+  const values = report.runs.flatMap(run => run.by_region[name]).sort(d3.ascending);
+  return (d3.quantile(values, 0.98) || values.at(-1) || 1) / (per ? per() : 1);
+}
 
 // Viridis, which rises evenly in lightness, by the square root, so that small values are told apart too.
 const viridis = ["#440154", "#414487", "#2a788e", "#22a884", "#7ad151", "#fde725"];
 const shade = d3.scale.linear().domain(d3.range(6).map(i => i / 5)).range(viridis).interpolate(d3.interpolateLab).clamp(true);
 
-function fillOf(value, metric, largest) {
-  return metric.name === "fault" ? (value > 0 ? colourOf(1) : "var(--grid)") : shade(Math.sqrt(value / largest));
-}
+const fillOf = (value, top) => top === 0 ? (value > 0 ? colourOf(1) : "var(--grid)") : shade(Math.sqrt(value / top));
 
-function regionWords(step, region) {
-  const said = mapped.slice(0, -1).map(metric => metric.label + ": " + brief(regionValue(view.run, metric, step, region)));
-  const faults = faultsOn(view.run, step, region).map(fault => fault.name);
-  return [report.map.names[region], ...said, ...(faults.length > 0 ? ["fault: " + faults.join(", ")] : [])].join("\n");
-}
+// What is shown of a region in a step of a run, in words.
+const valueWords = (run, metric, step, region) => metric.name === "fault"
+  ? faultsOn(run, step, region).map(fault => fault.name).join(", ") || "none"
+  : brief(regionValue(run, metric, step, region));
+
+const regionWords = region => [report.map.names[region],
+  ...mapped.map(metric => metric.label + ": " + valueWords(view.run, metric, view.step, region))].join("\n");
 
 // Regions within `width`, and no higher than a screen.
 function mapPaths(width) {
   const points = report.map.outlines.flat(2);
   const [west, east] = d3.extent(points.filter((_, i) => i % 2 === 0));
   const [north, south] = d3.extent(points.filter((_, i) => i % 2 === 1));
-  const scale = Math.min((width - 8) / (east - west), 460 / (south - north));
+  const scale = Math.min((width - 8) / (east - west), 560 / (south - north));
   const shift = (width - scale * (east - west)) / 2;
   const place = (x, y) => (shift + scale * (x - west)).toFixed(1) + "," + (4 + scale * (y - north)).toFixed(1);
   const ring = numbers => "M" + d3.range(0, numbers.length, 2).map(i => place(numbers[i], numbers[i + 1])).join("L") + "Z";
   return {paths: report.map.outlines.map(rings => rings.map(ring).join("")), height: 8 + scale * (south - north)};
 }
 
-function drawScale(svg, width, top, largest) {
+// The legend: `top` is where the colours end, 0 if they only say whether a fault acts.
+function drawScale(svg, width, y, top) {
   const x = (width - 260) / 2;
-  const text = (at, y, words) => svg.append("text").attr({x: at, y, "text-anchor": "middle"}).text(words);
-  text(width / 2, top + 46, view.metric.unit);
-  if (view.metric.name === "fault") {
-    svg.append("rect").attr({x: width / 2 - 70, y: top, width: 12, height: 12}).style("fill", colourOf(1));
-    text(width / 2 + 12, top + 11, "a fault acts here");
+  const text = (at, below, words) => svg.append("text").attr({x: at, y: y + below, "text-anchor": "middle"}).text(words);
+  if (top === 0) {
+    svg.append("rect").attr({x: width / 2 - 70, y, width: 12, height: 12}).style("fill", colourOf(1));
+    text(width / 2 + 12, 11, "a fault acts here");
     return;
   }
-  d3.range(52).forEach(i => svg.append("rect").attr({x: x + 5 * i, y: top, width: 5.5, height: 12, fill: shade(i / 51)}));
+  d3.range(52).forEach(i => svg.append("rect").attr({x: x + 5 * i, y, width: 5.5, height: 12, fill: shade(i / 51)}));
   for (const share of [0, 0.25, 0.5, 0.75, 1]) {
-    text(x + 260 * share, top + 28, brief(largest * share * share));
+    text(x + 260 * share, 28, (share === 1 ? "≥ " : "") + brief(top * share * share));
   }
+  text(width / 2, 46, view.metric.unit);
 }
 
 // Gives the function that paints the map anew when only the step or the region has changed.
 function drawMap(frame, width) {
   const {paths, height} = mapPaths(width);
-  const largest = largestValue(view.metric);
+  const top = view.metric.name === "fault" ? 0 : topOf(view.metric);
   const svg = d3.select(frame).append("svg").attr({xmlns: "http://www.w3.org/2000/svg", role: "img", tabindex: 0,
     viewBox: "0 0 " + width + " " + Math.ceil(height + 62)});
-  const regions = svg.append("g").selectAll("path").data(paths).enter().append("path")
+  const land = svg.append("svg").attr({width, height}).append("g");
+  const regions = land.selectAll("path").data(paths).enter().append("path")
     .attr({class: "region", d: path => path, "fill-rule": "evenodd"});
-  const chosen = svg.append("path").attr({class: "chosen", fill: "none"});
-  drawScale(svg, width, height + 12, largest);
-  const tip = (_, region) => showTip(regionWords(view.step, region), d3.event.clientX, d3.event.clientY);
+  const chosen = land.append("path").attr({class: "chosen", fill: "none"});
+  drawScale(svg, width, height + 12, top);
+  const zoom = d3.behavior.zoom().scaleExtent([1, 12]).on("zoom", () =>
+    land.attr("transform", "translate(" + d3.event.translate + ") scale(" + d3.event.scale + ")"));
+  svg.call(zoom).on("wheel.zoom", null);  // the page scrolls by the wheel
+  const tip = (_, region) => showTip(regionWords(region), d3.event.clientX, d3.event.clientY);
   regions.on("mousemove", tip).on("mouseleave", hideTip).on("click", (_, region) => look({region}));
   svg.on("keydown", () => {
     const move = {ArrowLeft: -1, ArrowUp: -1, ArrowRight: 1, ArrowDown: 1}[d3.event.key];
@@ -90,10 +98,10 @@ function drawMap(frame, width) {
     }
   });
   return () => {
-    regions.style("fill", (_, region) => fillOf(regionValue(view.run, view.metric, view.step, region), view.metric, largest));
+    regions.style("fill", (_, region) => fillOf(regionValue(view.run, view.metric, view.step, region), top));
     chosen.attr("d", paths[view.region]);
     svg.attr("aria-label", "Regions by " + view.metric.label + ", " + stepNames()[view.step] + "; chosen: " +
-      regionWords(view.step, view.region));
+      regionWords(view.region).replaceAll("\n", ", "));
   };
 }
 
@@ -116,6 +124,14 @@ function regionChart() {
       run.faults.some(fault => fault.name === name && fault.regions.includes(view.region)))),
     series: report.runs.map((run, i) => ({label: run.label, style: i, bare: true, points: points(run)})),
   };
+}
+
+// The same at the step that is chosen, all of it.
+function fillRegionTable(place) {
+  place.replaceChildren(table([stepNames()[view.step], ...report.runs.map(run => run.label)], mapped.map(metric => [
+    element("td", "", metric.label + " ", element("small", "", metric.unit)),
+    ...report.runs.map(run => valueWords(run, metric, view.step, view.region)),
+  ])));
 }
 
 let look;  // changes the view: look({step: 3})
@@ -165,11 +181,13 @@ function addMap() {
   const runs = report.runs.length > 1 ? [choice("run", report.runs, run => look({run}))] : [];
   const controls = [element("div", "controls", ...runs, choice("colour", mapped, metric => look({metric})), playButton()),
     element("div", "controls", slider, time, faults)];
+  const now = element("div", "wide");
   let paint;
-  const map = drawing("Map", "Colours are the same all day and for every run. Click a region, or move among them by the arrow keys.",
+  const map = drawing("Map", "Colours are the same all day and for every run. Click a region, or move among them by the arrow keys; " +
+    "double-click to come closer, with the shift key to go back, and drag.",
     (frame, width) => { paint = drawMap(frame, width); paint(); }, mapRows, ...controls);
   const day = figure("Day of the region", "Of the region that is chosen on the map; the faults that act on it are shaded.",
-    regionChart);
+    regionChart, now);
   const name = day.querySelector("h3");
   look = change => {
     Object.assign(view, change);
@@ -178,6 +196,7 @@ function addMap() {
     faults.textContent = view.run.faults.filter(fault => fault.acts.some(([step]) => step === view.step))
       .map(fault => fault.name).join(", ");
     name.textContent = "Day of region " + report.map.names[view.region] + ": " + view.metric.label;
+    fillRegionTable(now);
     change.metric ? map.redraw() : paint?.();
     day.redraw();
   };
