@@ -7,6 +7,7 @@
 #include "experiments/report_command.hpp"
 #include "experiments/run_command.hpp"
 #include "experiments/sweep_command.hpp"
+#include "experiments/tune_command.hpp"
 #include "tools/fit/fit_command.hpp"
 #include "tools/ingest/ingest_command.hpp"
 #include "tools/verify/verify_command.hpp"
@@ -22,6 +23,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   evbal::add_run_command(app);
   evbal::add_sweep_command(app);
+  evbal::add_tune_command(app);
   evbal::add_compare_command(app);
   evbal::add_report_command(app);
   evbal::add_replay_command(app);

@@ -1,12 +1,8 @@
 #include "experiments/sweep/sweep.hpp"
 
-#include "common/digest.hpp"
 #include "coordinator/balancing/controllers.hpp"
-#include "experiments/metrics/metrics.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <optional>
 #include <set>
 
@@ -15,89 +11,64 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A path with one of the values that it is to take.
-struct Setting {
+constexpr std::size_t quick_days = 2;
+
+/// A path with the values that it is to take in turn.
+struct Axis {
   std::string path;
-  YamlValue value;
+  std::vector<YamlValue> values;
 };
 
 struct Variant {
-  std::string name;
-  std::string controller;
-  std::vector<std::vector<Setting>> points;  ///< every combination of its settings
+  YamlValue place;
+  std::string name{};
+  std::string controller{};            ///< empty if it is tuned
+  std::string tuned{};                 ///< name in what was tuned; empty if it is not
+  std::vector<Axis> settings{};        ///< in place of what was tuned, or beside it
+  std::vector<Axis> factors{};         ///< of what was tuned
+  std::vector<std::uint64_t> seeds{};  ///< none: the sweep's
 };
 
-struct NamedFaults {
-  std::string name;
-  std::optional<YamlValue> schedule;  ///< none: the scenario's own, if it has any
-};
+using Point = std::vector<Setting>;
 
-/// As a name in files and on the command line.
-std::string plain_name(const YamlValue& value) {
-  std::string name = value.text();
-  const auto plain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.'; };
-  if (name.empty() || !std::all_of(name.begin(), name.end(), plain)) {
-    throw value.error("`" + name + "` is no name; write letters, digits, `-`, `_` and `.` only");
-  }
-  return name;
-}
-
-std::string shown(const YamlValue& value) {
-  return value.is_scalar() ? value.text() : value.dump();
-}
-
-std::vector<YamlValue> distinct_items(const YamlValue& list) {
-  std::set<std::string> seen;
-  for (const auto& item : list.items()) {
-    if (!seen.insert(shown(item)).second) {
-      throw item.error("`" + shown(item) + "` is given twice");
+/// Axes in the order of the file, a value that is no list as a list of one.
+std::vector<Axis> read_axes(const std::optional<YamlValue>& value) {
+  std::vector<Axis> axes;
+  if (value) {
+    YamlMap map(*value);
+    for (const auto& path : map.keys()) {
+      const YamlValue given = map.require(path);
+      refuse_path(given, path);
+      axes.push_back({path, given.is_list() ? distinct_items(given) : std::vector<YamlValue>{given}});
     }
   }
-  if (seen.empty()) {
-    throw list.error("holds nothing; give at least one");
-  }
-  return list.items();
-}
-
-/// What a sweep says elsewhere is no setting too, and nor is what has no influence or would be a column twice.
-void refuse_path(const YamlValue& value, const std::string& path) {
-  static constexpr std::array own = {"schema",      "name",   "day",       "seed",   "controller",
-                                     "controllers", "faults", "transport", "expect", "regions_per_process"};
-  const std::vector<std::string> metrics = metric_names();
-  if (std::find(own.begin(), own.end(), path.substr(0, path.find('.'))) != own.end() ||
-      std::find(metrics.begin(), metrics.end(), path) != metrics.end()) {
-    throw value.error("`" + path +
-                      "` cannot be a setting of a variant; settings are keys of the scenario such as "
-                      "`balancing.p_shortage` or `clock.plan_every`");
-  }
-}
-
-std::vector<std::vector<Setting>> read_settings(const YamlValue& value) {
-  std::vector<std::vector<Setting>> points = {{}};
-  YamlMap map(value);
-  for (const auto& path : map.keys()) {
-    const YamlValue given = map.require(path);
-    refuse_path(given, path);
-    std::vector<std::vector<Setting>> longer;
-    for (const auto& point : points) {
-      for (const auto& item : given.is_list() ? distinct_items(given) : std::vector<YamlValue>{given}) {
-        longer.push_back(point);
-        longer.back().push_back({path, item});
-      }
-    }
-    points = std::move(longer);
-  }
-  return points;
+  return axes;
 }
 
 Variant read_variant(const YamlValue& value) {
   YamlMap map(value);
-  Variant variant;
-  variant.controller = controller_names()[map.require("controller").one_of(controller_names())];
+  Variant variant{.place = value};
+  const auto tuned = map.find("tuned");
+  const auto controller = tuned ? map.find("controller") : map.require("controller");
+  if (tuned && controller) {
+    throw controller->error("what was tuned says which controller; leave `controller` out");
+  }
+  if (tuned) {
+    variant.tuned = plain_name(*tuned);
+  } else {
+    variant.controller = controller_names()[controller->one_of(controller_names())];
+  }
   const auto name = map.find("name");
-  variant.name = name ? plain_name(*name) : variant.controller;
-  const auto settings = map.find("settings");
-  variant.points = settings ? read_settings(*settings) : std::vector<std::vector<Setting>>{{}};
+  variant.name = name ? plain_name(*name) : variant.controller + variant.tuned;
+  variant.settings = read_axes(map.find("settings"));
+  const auto factors = map.find("factors");
+  if (factors && !tuned) {
+    throw factors->error("`factors` are of what was tuned; give `tuned` too");
+  }
+  variant.factors = read_axes(factors);
+  if (const auto seeds = map.find("seeds")) {
+    variant.seeds = read_seeds(*seeds);
+  }
   map.finish();
   return variant;
 }
@@ -114,116 +85,118 @@ std::vector<Variant> read_variants(const YamlValue& list) {
   return variants;
 }
 
-/// `none`, `scenario`, a schedule's file, or a schedule.
-std::optional<YamlValue> read_schedule_of(const YamlValue& value) {
-  if (value.is_map()) {
-    return value;
-  }
-  if (value.text() == "scenario") {
-    return std::nullopt;
-  }
-  if (value.text() == "none") {
-    return YamlValue::parse("{schema: 1, faults: []}", value.file());
-  }
-  return YamlValue::load(fs::path(value.file()).parent_path() / value.text());
-}
-
-std::vector<NamedFaults> read_faults(const std::optional<YamlValue>& value) {
-  if (!value) {
-    return {{"", std::nullopt}};
-  }
-  std::vector<NamedFaults> faults;
-  YamlMap map(*value);
-  for (const auto& name : map.keys()) {
-    faults.push_back({name, read_schedule_of(map.require(name))});
-  }
-  if (faults.empty()) {
-    throw value->error("names no schedule; leave `faults` out to have the scenario's own");
-  }
-  return faults;
-}
-
-/// A schedule's seed for one (day, seed) of the sweep.
-YamlValue redrawn(const YamlValue& schedule, const std::string& day, std::uint64_t seed) {
-  const auto own = YamlMap(schedule).find("seed");
-  const std::string text = std::to_string(own ? own->seed() : 0) + " " + day + " " + std::to_string(seed);
-  Digest digest;
-  digest.update(text.data(), text.size());
-  return YamlValue::parse(std::to_string(std::stoull(digest.hex().substr(0, 16), nullptr, 16)), schedule.file());
-}
-
-YamlValue with_faults(const YamlValue& scenario, const NamedFaults& faults, const std::string& day,
-                      std::uint64_t seed) {
-  const auto schedule = faults.schedule ? faults.schedule : YamlMap(scenario).find("faults");
-  if (!schedule) {
-    return scenario;
-  }
-  return scenario.with("faults", *schedule).with("faults.seed", redrawn(*schedule, day, seed));
-}
-
-/// The days as they are for every variant.
-std::vector<SweptDay> occasions_of(const YamlValue& scenario, const std::vector<NamedFaults>& all_faults,
-                                   const std::vector<YamlValue>& days, const std::vector<YamlValue>& seeds) {
-  std::vector<SweptDay> occasions;
-  for (const auto& faults : all_faults) {
-    for (const auto& day : days) {
-      for (const auto& seed : seeds) {
-        SweptDay occasion{
-            .faults = faults.name, .day = day.text(), .seed = seed.seed(), .yaml = scenario.with("day", day)};
-        occasion.yaml = with_faults(occasion.yaml.with("seed", seed), faults, occasion.day, occasion.seed);
-        occasions.push_back(std::move(occasion));
-      }
+/// Each point with each value of the axis.
+std::vector<Point> crossed(const std::vector<Point>& points, const Axis& axis) {
+  std::vector<Point> longer;
+  for (const auto& point : points) {
+    for (const auto& value : axis.values) {
+      longer.push_back(point);
+      put(longer.back(), {axis.path, value});
     }
   }
-  return occasions;
+  return longer;
 }
 
-SweptDay at_point(SweptDay day, const Variant& variant, const std::vector<Setting>& point) {
-  day.variant = variant.name;
-  day.controller = variant.controller;
-  for (const auto& setting : point) {
-    day.settings[setting.path] = shown(setting.value);
-    day.yaml = day.yaml.with(setting.path, setting.value);
-  }
-  return day;
-}
-
-std::vector<std::string> paths_of(const std::vector<Variant>& variants) {
-  std::vector<std::string> paths;
-  for (const auto& variant : variants) {
-    for (const auto& setting : variant.points.front()) {
-      if (std::find(paths.begin(), paths.end(), setting.path) == paths.end()) {
-        paths.push_back(setting.path);
-      }
+/// The values that an axis of factors makes of what was tuned.
+Axis scaled(Axis factors, const Point& tuned) {
+  const auto base = std::find_if(tuned.begin(), tuned.end(), [&](const auto& s) { return s.path == factors.path; });
+  for (auto& value : factors.values) {
+    if (base == tuned.end()) {
+      throw value.error("`" + factors.path + "` was not tuned, so it has no factors");
     }
+    value = rounded_setting(base->value.number() * value.number(), value.file());
   }
-  return paths;
+  return factors;
+}
+
+/// What a variant is in one scenario.
+struct InScenario {
+  std::string controller;
+  std::vector<Point> points;  ///< every combination of its settings
+};
+
+InScenario in_scenario(const Variant& variant, const std::string& scenario, const Tuned& all_tuned) {
+  InScenario result{variant.controller, {{}}};
+  if (!variant.tuned.empty()) {
+    const auto found = all_tuned.find({scenario, variant.tuned});
+    if (found == all_tuned.end()) {
+      throw variant.place.error("nothing called `" + variant.tuned + "` was tuned for scenario `" + scenario + "`");
+    }
+    result = {found->second.controller, {found->second.settings}};
+  }
+  const Point tuned = result.points.front();
+  for (const auto& axis : variant.settings) {
+    result.points = crossed(result.points, axis);
+  }
+  for (const auto& axis : variant.factors) {
+    result.points = crossed(result.points, scaled(axis, tuned));
+  }
+  return result;
+}
+
+/// What was tuned, by the sweep's `tuning` or by a file that it names.
+Tuned tuned_for(YamlMap& map, const SweepReading& reading) {
+  const auto file = map.find("tuned");
+  const auto tuning = map.find("tuning");
+  if (file && tuning) {
+    throw file->error("`tuned` and `tuning` are both given; keep one");
+  }
+  if (file) {
+    return read_tuned(fs::path(file->file()).parent_path() / file->text());
+  }
+  return reading.tuned.empty() ? Tuned{} : read_tuned(reading.tuned);
 }
 
 }  // namespace
 
-Sweep read_sweep(const fs::path& file) {
+Sweep read_sweep(const fs::path& file, const SweepReading& reading) {
   YamlMap map(YamlValue::load(file));
   map.require("schema").integer(1, 1);
-  const YamlValue base = map.require("scenario");
-  const YamlValue scenario = YamlValue::load(file.parent_path() / base.text());
-  const std::vector<Variant> variants = read_variants(map.require("variants"));
-  const std::vector<NamedFaults> all_faults = read_faults(map.find("faults"));
-  const std::vector<YamlValue> days = distinct_items(map.require("days"));
-  const std::vector<YamlValue> seeds = distinct_items(map.require("seeds"));
+  std::vector<Variant> variants = read_variants(map.require("variants"));
+  Occasions occasions(map);
+  const Tuned tuned = tuned_for(map, reading);
   map.finish();
+  if (reading.quick) {
+    occasions.cut(quick_days, 1);
+  }
 
   Sweep sweep;
-  sweep.settings = paths_of(variants);
-  const std::vector<SweptDay> occasions = occasions_of(scenario, all_faults, days, seeds);
-  for (const auto& variant : variants) {
-    for (const auto& point : variant.points) {
-      for (const auto& occasion : occasions) {
-        sweep.days.push_back(at_point(occasion, variant, point));
+  for (auto& variant : variants) {
+    variant.seeds.resize(std::min<std::size_t>(variant.seeds.size(), reading.quick ? 1 : variant.seeds.size()));
+    for (const auto& name : occasions.scenarios()) {
+      const InScenario here = in_scenario(variant, name, tuned);
+      const auto days = occasions.of(name, variant.seeds);
+      for (const auto& point : here.points) {
+        note_paths(point, sweep.settings);
+        for (const auto& occasion : days) {
+          sweep.days.push_back(day_of(occasion, variant.name, here.controller, point));
+        }
       }
     }
   }
   return sweep;
+}
+
+fs::path tuning_of(const fs::path& file) {
+  YamlMap map(YamlValue::load(file));
+  const auto tuning = map.find("tuning");
+  return tuning ? file.parent_path() / tuning->text() : fs::path();
+}
+
+SweptDay day_of(const Occasion& occasion, const std::string& variant, const std::string& controller,
+                const std::vector<Setting>& settings) {
+  SweptDay day{.scenario = occasion.scenario,
+               .variant = variant,
+               .controller = controller,
+               .faults = occasion.faults,
+               .day = occasion.day,
+               .seed = occasion.seed,
+               .yaml = occasion.yaml};
+  for (const auto& setting : settings) {
+    day.settings[setting.path] = shown(setting.value);
+    day.yaml = day.yaml.with(setting.path, setting.value);
+  }
+  return day;
 }
 
 Scenario scenario_of(const SweptDay& day) {

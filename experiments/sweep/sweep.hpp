@@ -2,6 +2,8 @@
 
 #include "common/yaml.hpp"
 #include "experiments/scenario/scenario.hpp"
+#include "experiments/sweep/occasions.hpp"
+#include "experiments/sweep/tuned.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -9,11 +11,12 @@
 #include <string>
 #include <vector>
 
-/// Many days of one scenario, which differ in who controls, day, seed, faults and settings (docs/sweeps.md).
+/// Many days, which differ in scenario, who controls, day, seed, faults and settings (docs/sweeps.md).
 namespace evbal {
 
 /// One day of a sweep.
 struct SweptDay {
+  std::string scenario{};  ///< its name in the sweep
   std::string variant{};
   std::string controller{};
   std::string faults;  ///< name of the schedule; empty: the scenario's own
@@ -25,14 +28,25 @@ struct SweptDay {
 
 struct Sweep {
   std::vector<std::string> settings;  ///< paths that any variant sets, in the order of the file
-  std::vector<SweptDay>
-      days;  ///< at least one; by variant, its settings, faults, day and seed, in the order of the file
+  std::vector<SweptDay> days;  ///< at least one; by variant, scenario, settings, faults, day and seed, as in the file
 };
 
-/// Reads a sweep. A schedule that leaves something open is drawn anew for every (day, seed), the same for all
-/// variants. Throws Error{bad_input} with file, line, reason and what would be right; what a setting's value must be
-/// is not looked at before scenario_of.
-Sweep read_sweep(const std::filesystem::path& file);
+/// How much of a sweep is read, and what else it needs.
+struct SweepReading {
+  bool quick = false;             ///< the first two days and the first seed only
+  std::filesystem::path tuned{};  ///< what came of the file's `tuning`; empty: it has none
+};
+
+/// Reads a sweep. Throws Error{bad_input} with file, line, reason and what would be right; what a setting's value must
+/// be is not looked at before scenario_of.
+Sweep read_sweep(const std::filesystem::path& file, const SweepReading& reading = {});
+
+/// The file with the tuning that a sweep needs first, by its key `tuning`; empty if it needs none.
+std::filesystem::path tuning_of(const std::filesystem::path& file);
+
+/// The day of a variant on an occasion.
+SweptDay day_of(const Occasion& occasion, const std::string& variant, const std::string& controller,
+                const std::vector<Setting>& settings);
 
 /// The day's scenario: one controller, one process, nothing expected. Throws Error{bad_input}.
 Scenario scenario_of(const SweptDay& day);

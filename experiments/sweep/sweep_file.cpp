@@ -49,11 +49,8 @@ Row step_row(const std::string& key, const DayClock& clock, const CityStep& step
 }
 
 Row day_row(std::size_t run, const Sweep& sweep, const SweptDay& day, const std::string& key) {
-  Row row = {{"run", static_cast<std::int64_t>(run)},
-             {"variant", day.variant},
-             {"controller", day.controller},
-             {"faults", day.faults},
-             {"day", day.day},
+  Row row = {{"run", static_cast<std::int64_t>(run)}, {"scenario", day.scenario}, {"variant", day.variant},
+             {"controller", day.controller},          {"faults", day.faults},     {"day", day.day},
              {"seed", std::to_string(day.seed)}};
   for (const auto& path : sweep.settings) {
     const auto given = day.settings.find(path);
@@ -65,7 +62,8 @@ Row day_row(std::size_t run, const Sweep& sweep, const SweptDay& day, const std:
 
 /// A row of `days` with its result.
 FinishedDay finished_day(SQLite::Statement& row) {
-  FinishedDay day{.variant = row.getColumn("variant").getString(),
+  FinishedDay day{.scenario = row.getColumn("scenario").getString(),
+                  .variant = row.getColumn("variant").getString(),
                   .controller = row.getColumn("controller").getString(),
                   .faults = row.getColumn("faults").getString(),
                   .day = row.getColumn("day").getString(),

@@ -12,8 +12,8 @@
 
 /// sweep.sqlite, in which a sweep's results gather:
 ///
-///     days      run, variant, controller, faults, day, seed, the settings by path, key      what is to be run
-///     results   key, the totals by the names of metrics/columns.hpp, fallbacks, digest      a row a finished day
+///     days      run, scenario, variant, controller, faults, day, seed, the settings by path, key      what is to be
+///     run results   key, the totals by the names of metrics/columns.hpp, fallbacks, digest      a row a finished day
 ///     steps     key, start, the columns of steps.csv                                        its steps
 ///     origin    what it was made from (sweep_origin.hpp)
 ///
@@ -46,6 +46,7 @@ std::string swept_steps_csv(const std::filesystem::path& file);
 
 /// A day of a sweep and what it came to.
 struct FinishedDay {
+  std::string scenario{};
   std::string variant;
   std::string controller{};
   std::string faults;

@@ -11,7 +11,8 @@ namespace {
 
 Sweep small_sweep() {
   const auto day = [](const std::string& variant, std::uint64_t seed, std::map<std::string, std::string> settings) {
-    return SweptDay{.variant = variant,
+    return SweptDay{.scenario = "toy",
+                    .variant = variant,
                     .controller = "ratio",
                     .faults = "calm",
                     .day = "2024-01-11",
@@ -49,9 +50,10 @@ TEST_F(SweepFileOf3, SaysTheSameInWhateverOrderDaysEnd) {
   add("k1", 10);
   add("k2", 20);
   const std::string days = swept_days_csv(file_);
-  EXPECT_TRUE(days.starts_with("run,variant,controller,faults,day,seed,balancing.p_ratio,x,idle_km,")) << days;
-  EXPECT_NE(days.find("\n1,a,ratio,calm,2024-01-11,1,10,,0.1,"), std::string::npos) << days;
-  EXPECT_NE(days.find("\n3,b,ratio,calm,2024-01-11,18446744073709551615,,\"[1, 2]\",0.1,"), std::string::npos) << days;
+  EXPECT_TRUE(days.starts_with("run,scenario,variant,controller,faults,day,seed,balancing.p_ratio,x,idle_km,")) << days;
+  EXPECT_NE(days.find("\n1,toy,a,ratio,calm,2024-01-11,1,10,,0.1,"), std::string::npos) << days;
+  EXPECT_NE(days.find("\n3,toy,b,ratio,calm,2024-01-11,18446744073709551615,,\"[1, 2]\",0.1,"), std::string::npos)
+      << days;
   EXPECT_LT(days.find(",d10\n"), days.find(",d20\n"));
   const std::string steps = swept_steps_csv(file_);
   EXPECT_TRUE(steps.starts_with("run,start,step,idle_km,")) << steps;

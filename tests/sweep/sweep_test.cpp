@@ -1,5 +1,6 @@
 #include "experiments/sweep/sweep.hpp"
 
+#include "experiments/sweep/tuning.hpp"
 #include "tests/folder.hpp"
 
 #include <gtest/gtest.h>
@@ -22,6 +23,9 @@ class SweepOfToy : public ::testing::Test {
                   "       start: {uniform: {min: \"06:00\", max: \"20:00\"}}, duration: 30min}\n"
                   "expect: [{metric: lost, at_most: 1}]\n");
   }
+
+  void write(const std::string& name, const std::string& text) const { folder_.write(name, text); }
+  std::filesystem::path path(const std::string& name) const { return folder_.path() / name; }
 
   Sweep read(const std::string& text) const { return read_sweep(folder_.write("sweep.yaml", text)); }
 
@@ -94,6 +98,52 @@ TEST_F(SweepOfToy, TakesSchedulesFromThreePlaces) {
   EXPECT_EQ(scenario_of(sweep.days[8]).schedule.faults.at(0).name, "a");
 }
 
+TEST_F(SweepOfToy, TakesSeveralScenariosAndSeedsOfAVariantsOwn) {
+  const std::string several =
+      "schema: 1\nscenarios: {one: base.yaml, two: base.yaml}\ndays: [2024-01-11]\nseeds: [1]\n";
+  const Sweep sweep = read(several + "variants: [{controller: none, seeds: [3, 4]}, {controller: ratio}]\n");
+  ASSERT_EQ(sweep.days.size(), 4U + 2U);
+  EXPECT_EQ(sweep.days[0].scenario, "one");
+  EXPECT_EQ(sweep.days[1].seed, 4U);
+  EXPECT_EQ(sweep.days[2].scenario, "two");
+  EXPECT_EQ(sweep.days[5].seed, 1U);
+  EXPECT_EQ(read(head + "variants: [{controller: none}]\n").days[0].scenario, "base");
+  expect_refused(several + "variants: [{controller: none}]\nscenario: base.yaml\n", 2, "keep one");
+}
+
+TEST_F(SweepOfToy, TakesWhatWasTunedForEachScenario) {
+  write("frozen.yaml",
+        "schema: 1\ntuned:\n"
+        "  one: {r: {controller: ratio, settings: {engine: cuts, balancing.p_ratio: 20}}}\n"
+        "  two: {r: {controller: ratio, settings: {engine: cuts, balancing.p_ratio: 40}}}\n");
+  const std::string both =
+      "schema: 1\nscenarios: {one: base.yaml, two: base.yaml}\ndays: [2024-01-11]\nseeds: [1]\ntuned: frozen.yaml\n";
+  const Sweep sweep = read(both +
+                           "variants: [{tuned: r}, {name: f, tuned: r, factors: {balancing.p_ratio: [0.5, 1]}},"
+                           " {name: t, tuned: r, settings: {engine: ipopt, balancing.tau: 1}}]\n");
+  ASSERT_EQ(sweep.days.size(), 2U + 4U + 2U);
+  EXPECT_EQ(sweep.days[0].variant, "r");
+  EXPECT_EQ(scenario_of(sweep.days[1]).planning.balancing.p_ratio, 40.0);
+  EXPECT_EQ(sweep.days[4].settings.at("balancing.p_ratio"), "20");
+  EXPECT_EQ(sweep.days[5].settings.at("balancing.p_ratio"), "40");
+  EXPECT_EQ(scenario_of(sweep.days[7]).planning.engine.name, "ipopt");
+  EXPECT_EQ(scenario_of(sweep.days[7]).planning.balancing.tau, 1);
+  expect_refused(both + "variants: [{tuned: q}]\n", 6, "nothing called `q` was tuned");
+  expect_refused(both + "variants: [{tuned: r, controller: none}]\n", 6, "leave `controller` out");
+  expect_refused(both + "variants: [{tuned: r, factors: {balancing.eta: [2]}}]\n", 6, "has no factors");
+  expect_refused(head + "variants: [{controller: none, factors: {balancing.eta: [2]}}]\n", 5, "give `tuned` too");
+}
+
+TEST_F(SweepOfToy, MayBeCutShort) {
+  write("sweep.yaml",
+        "schema: 1\nscenario: base.yaml\ndays: [2024-01-11, 2024-01-12, 2024-01-10]\nseeds: [1, 2]\n"
+        "variants: [{controller: none}, {controller: ratio, seeds: [5, 6]}]\n");
+  const Sweep sweep = read_sweep(path("sweep.yaml"), {.quick = true});
+  ASSERT_EQ(sweep.days.size(), 4U);
+  EXPECT_EQ(sweep.days[1].day, "2024-01-12");
+  EXPECT_EQ(sweep.days[3].seed, 5U);
+}
+
 TEST_F(SweepOfToy, RefusesWhatIsWrong) {
   const auto variant = [](const std::string& settings) {
     return head + "variants:\n  - {controller: ratio, settings: {" + settings + "}}\n";
@@ -114,10 +164,20 @@ TEST_F(SweepOfToy, RefusesWhatIsWrong) {
                  "2024-12-24");
 }
 
+/// The shipped tunings and sweeps, each sweep with the first candidates of its tuning.
 TEST(ShippedSweeps, CanBeRead) {
+  const Folder folder;
   for (const auto& entry :
        std::filesystem::directory_iterator(std::filesystem::path(EVBAL_SOURCE_DIR) / "experiments/sweeps")) {
-    const Sweep sweep = read_sweep(entry.path());
+    if (entry.path().stem().string().ends_with("-tuning")) {
+      continue;
+    }
+    SweepReading reading{.quick = true};
+    if (const auto file = tuning_of(entry.path()); !file.empty()) {
+      const Tuning tuning = read_tuning(file, true);
+      reading.tuned = folder.write("tuned.yaml", tuned_yaml(winners(tuning, contests_of(tuning))));
+    }
+    const Sweep sweep = read_sweep(entry.path(), reading);
     EXPECT_NO_THROW(scenario_of(sweep.days.front())) << entry.path();
     EXPECT_NO_THROW(scenario_of(sweep.days.back())) << entry.path();
   }

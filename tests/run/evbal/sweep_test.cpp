@@ -62,6 +62,41 @@ TEST(Sweep, GoesOnAfterAKillAndGivesTheSameBytesForAnyNumberOfJobs) {
   EXPECT_EQ(line.evbal("compare whole --against robust").status, 2);
 }
 
+const std::string tuning =
+    "schema: 1\nscenario: morning.yaml\nseeds: [7]\nobjective: {idle_km: 1, lost: 20}\ncandidates: 3\n"
+    "variants:\n"
+    "  - {controller: ratio, settings: {engine: cuts}, search: {balancing.p_ratio: {from: 5, to: 80}}}\n"
+    "  - {controller: none, search: {balancing.tau: [1, 2]}}\n";
+
+TEST(Tune, GivesTheSameBytesForAnyNumberOfJobsAndASweepTakesThem) {
+  const CommandLine line;
+  std::ofstream(line.path() / "tuning.yaml") << tuning << "days: [2024-01-03, 2024-01-02, 2024-01-01]\n";
+  const Ended two = line.evbal("tune tuning.yaml --jobs 2 --out two --quiet");
+  ASSERT_EQ(two.status, 0) << two.err;
+  EXPECT_EQ(two.out, "two/tuned.yaml\n");
+  ASSERT_EQ(line.evbal("tune tuning.yaml --jobs 1 --out one --quiet").status, 0);
+  EXPECT_EQ(text_of(line.path() / "one" / "tuned.yaml"), text_of(line.path() / "two" / "tuned.yaml"));
+  EXPECT_EQ(text_of(line.path() / "one" / "trials.csv"), text_of(line.path() / "two" / "trials.csv"));
+  EXPECT_EQ(lines_of(text_of(line.path() / "one" / "trials.csv")), 7);
+
+  std::ofstream(line.path() / "sweep.yaml") << "schema: 1\nscenario: morning.yaml\nseeds: [1]\ndays: [2024-01-11]\n"
+                                               "tuning: tuning.yaml\nvariants: [{tuned: ratio}, {controller: none}]\n";
+  const Ended swept = line.evbal("sweep sweep.yaml --out one --quiet");
+  ASSERT_EQ(swept.status, 0) << swept.err;
+  EXPECT_EQ(lines_of(text_of(line.path() / "one" / "days.csv")), 3);
+  const Ended again = line.evbal("sweep sweep.yaml --out one");
+  EXPECT_EQ(again.err, "");  // nothing is played twice
+}
+
+TEST(Tune, RefusesTestDays) {
+  const CommandLine line;
+  std::ofstream(line.path() / "tuning.yaml") << tuning << "days: [2024-01-03, 2024-01-11]\n";
+  const Ended refused = line.evbal("tune tuning.yaml");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("`2024-01-11` is no training day"), std::string::npos) << refused.err;
+  EXPECT_FALSE(fs::exists(line.path() / "runs"));
+}
+
 TEST(Sweep, RefusesWhatIsWrongBeforeAnyWork) {
   const CommandLine line;
   std::ofstream(line.path() / "bad.yaml")
