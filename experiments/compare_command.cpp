@@ -20,26 +20,46 @@ std::string number(double value, int digits, bool sign) {
   return text.data();
 }
 
-std::string percent(const Interval& interval) {
-  return number(100.0 * interval.low, 1, true) + " .. " + number(100.0 * interval.high, 1, true);
+/// Relative differences in per cent; where there are none, the plain ones.
+struct Shown {
+  double factor;
+  const char* unit;
+
+  std::string mean(const Interval& interval) const { return number(factor * interval.mean, 1, true) + unit; }
+  std::string range(const Interval& interval) const {
+    return number(factor * interval.low, 1, true) + " .. " + number(factor * interval.high, 1, true);
+  }
+};
+
+std::vector<std::string> cells_of(const Compared& row, const Question& question) {
+  const std::string outside = std::to_string(row.outside);
+  if (row.pairs == 0) {
+    return {"", "", "", "", "", "", "", "", "0", outside};
+  }
+  const Shown shown = row.relative ? Shown{100.0, " %"} : Shown{1.0, ""};
+  const Interval& interval = row.relative ? row.by_t : row.difference;
+  return {question.at ? number(row.at, 0, false) : "",
+          number(row.value, 1, false),
+          number(row.reference, 1, false),
+          shown.mean(interval),
+          shown.range(interval),
+          row.relative ? shown.range(row.by_bootstrap) : "",
+          number(row.p, 4, false),
+          number(row.p_holm, 4, false),
+          std::to_string(row.pairs),
+          outside};
 }
 
 std::string table_of(const std::vector<Compared>& rows, const Question& question) {
-  std::vector<std::vector<std::string>> cells = {{"faults", "variant", "settings", question.at.value_or(""),
-                                                  question.metric, question.reference, "difference, %", "95 % by t",
-                                                  "95 % by bootstrap", "pairs", "outside"}};
+  std::vector<std::vector<std::string>> table = {{"scenario", "faults", "variant", "settings", question.at.value_or(""),
+                                                  question.metric, question.reference, "difference", "95 % by t",
+                                                  "95 % by bootstrap", "p", "p, Holm", "pairs", "outside"}};
   for (const auto& row : rows) {
-    cells.push_back({row.faults, row.variant, row.settings.empty() ? "all together" : row.settings});
-    const bool any = row.pairs > 0;
-    for (const auto& cell :
-         {any && question.at ? number(row.at, 0, false) : "", any ? number(row.value, 1, false) : "",
-          any ? number(row.reference, 1, false) : "", any ? number(100.0 * row.by_t.mean, 1, true) : "",
-          any ? percent(row.by_t) : "", any ? percent(row.by_bootstrap) : "", std::to_string(row.pairs),
-          std::to_string(row.outside)}) {
-      cells.back().push_back(cell);
-    }
+    table.push_back({row.scenario, row.faults, row.variant, row.settings.empty() ? "all together" : row.settings});
+    const auto more = cells_of(row, question);
+    table.back().insert(table.back().end(), more.begin(), more.end());
   }
-  return aligned(cells, 3);
+  return aligned(table, 4);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <unsupported/Eigen/SpecialFunctions>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -35,6 +36,21 @@ std::vector<double> day_means(const std::vector<DayValue>& values) {
   return means;
 }
 
+/// P(|T| > t) = I_x(degrees / 2, 1 / 2) with x = degrees / (degrees + t^2).
+double outside(double t, int degrees) {
+  return Eigen::numext::betainc(degrees / 2.0, 0.5, degrees / (degrees + t * t));
+}
+
+/// Standard error of a mean of two values or more.
+double standard_error(const std::vector<double>& values, double centre) {
+  double squares = 0.0;
+  for (const double value : values) {
+    squares += (value - centre) * (value - centre);
+  }
+  const auto count = static_cast<double>(values.size());
+  return std::sqrt(squares / (count - 1.0) / count);
+}
+
 Interval unknown(double mean) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   return {mean, -infinity, infinity};
@@ -44,18 +60,14 @@ Interval unknown(double mean) {
 
 double student_t(double probability, int degrees) {
   assert(probability > 0.0 && probability < 1.0 && degrees >= 1);
-  // P(|T| > t) = I_x(degrees / 2, 1 / 2) with x = degrees / (degrees + t^2).
-  const auto outside = [degrees](double t) {
-    return Eigen::numext::betainc(degrees / 2.0, 0.5, degrees / (degrees + t * t));
-  };
   double low = 0.0;
   double high = 1.0;
-  while (outside(high) > 1.0 - probability) {
+  while (outside(high, degrees) > 1.0 - probability) {
     high *= 2.0;
   }
   for (int i = 0; i < 100; ++i) {
     const double middle = (low + high) / 2.0;
-    (outside(middle) > 1.0 - probability ? low : high) = middle;
+    (outside(middle, degrees) > 1.0 - probability ? low : high) = middle;
   }
   return high;
 }
@@ -66,14 +78,31 @@ Interval t_interval(const std::vector<DayValue>& values) {
   if (means.size() < 2) {
     return unknown(centre);
   }
-  double squares = 0.0;
-  for (const double value : means) {
-    squares += (value - centre) * (value - centre);
-  }
-  const auto days = static_cast<double>(means.size());
-  const double error = std::sqrt(squares / (days - 1.0) / days);
-  const double half = student_t(level, static_cast<int>(means.size()) - 1) * error;
+  const double half = student_t(level, static_cast<int>(means.size()) - 1) * standard_error(means, centre);
   return {centre, centre - half, centre + half};
+}
+
+double t_test(const std::vector<DayValue>& values) {
+  const std::vector<double> means = day_means(values);
+  const double centre = mean(means);
+  if (means.size() < 2 || centre == 0.0) {
+    return 1.0;
+  }
+  const double error = standard_error(means, centre);
+  return error == 0.0 ? 0.0 : outside(centre / error, static_cast<int>(means.size()) - 1);
+}
+
+std::vector<double> holm(const std::vector<double>& p) {
+  std::vector<std::size_t> order(p.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return p[a] < p[b]; });
+  std::vector<double> adjusted(p.size());
+  double largest = 0.0;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    largest = std::max(largest, std::min(1.0, static_cast<double>(p.size() - i) * p[order[i]]));
+    adjusted[order[i]] = largest;
+  }
+  return adjusted;
 }
 
 Interval bootstrap_interval(const std::vector<DayValue>& values) {

@@ -28,6 +28,14 @@ Interval t_interval(const std::vector<DayValue>& values);
 /// same every time. `values` is not empty.
 Interval bootstrap_interval(const std::vector<DayValue>& values);
 
+/// The p value of Student's t test, two-sided, that the days' means are 0 in the mean; 1 with fewer than two days.
+/// `values` is not empty.
+double t_test(const std::vector<DayValue>& values);
+
+/// p values of one family as Holm adjusts them: to call those below 0.05 shown is wrong, in one of them or more, with
+/// probability 0.05 at most.
+std::vector<double> holm(const std::vector<double>& p);
+
 /// The t with P(|T| <= t) = `probability`, in (0, 1), for `degrees` >= 1 degrees of freedom.
 double student_t(double probability, int degrees);
 

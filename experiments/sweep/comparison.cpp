@@ -4,7 +4,9 @@
 #include "experiments/metrics/front.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
@@ -15,10 +17,10 @@ namespace evbal {
 namespace {
 
 /// What the days of a comparison share.
-using Occasion = std::tuple<std::string, std::string, std::uint64_t>;
+using Occasion = std::tuple<std::string, std::string, std::string, std::uint64_t>;
 
 Occasion occasion_of(const FinishedDay& day) {
-  return {day.faults, day.day, day.seed};
+  return {day.scenario, day.faults, day.day, day.seed};
 }
 
 /// A point of a variant on a day and seed beside the reference's; or the mean of several.
@@ -26,7 +28,7 @@ struct Pair {
   double at = 0.0;
   double value = 0.0;
   double reference = 0.0;
-  double relative = 0.0;
+  double relative = 0.0;  ///< not a number if a reference is 0
 
   Pair& operator+=(const Pair& other) {
     at += other.at;
@@ -43,42 +45,49 @@ struct Pair {
 /// The pairs of one row by occasion, none where the point lies outside.
 using Pairs = std::map<Occasion, std::vector<Pair>>;
 
+/// The reference's settings on one occasion.
+struct Reference {
+  std::vector<FrontPoint> front;
+  std::map<std::string, std::string> settings;  ///< of the last one
+};
+
+using References = std::map<Occasion, Reference>;
+
 void check_metric(const std::string& name) {
-  const auto names = metric_names();
+  const auto names = finished_metrics();
   if (std::find(names.begin(), names.end(), name) == names.end()) {
     throw bad_input("`" + name + "` is no metric" + did_you_mean(name, names) + "; see docs/metrics.md");
   }
 }
 
-std::map<Occasion, std::vector<FrontPoint>> fronts_of(const std::vector<FinishedDay>& days, const Question& question) {
-  std::map<Occasion, std::vector<FrontPoint>> fronts;
+References references_of(const std::vector<FinishedDay>& days, const Question& question) {
+  References references;
   std::set<std::string> variants;
   for (const auto& day : days) {
     variants.insert(day.variant);
     if (day.variant == question.reference) {
-      fronts[occasion_of(day)].push_back(
-          {question.at ? day.totals.at(*question.at) : 0.0, day.totals.at(question.metric)});
+      auto& reference = references[occasion_of(day)];
+      reference.front.push_back({question.at ? day.totals.at(*question.at) : 0.0, day.totals.at(question.metric)});
+      reference.settings = day.settings;
     }
   }
-  if (fronts.empty()) {
+  if (references.empty()) {
     const std::vector<std::string> names(variants.begin(), variants.end());
     throw bad_input("no variant is called `" + question.reference + "`" + did_you_mean(question.reference, names));
   }
-  if (!question.at && fronts.begin()->second.size() > 1) {
+  if (!question.at && references.begin()->second.front.size() > 1) {
     throw bad_input("variant `" + question.reference +
                     "` has several settings; give a metric at whose equal values to compare, such as `--at idle_km`");
   }
-  return fronts;
+  return references;
 }
 
-/// Paths that take more than one value in a variant.
-std::set<std::string> varied(const std::vector<FinishedDay>& days, const std::string& variant) {
+/// Paths that take more than one value.
+std::set<std::string> varied(const std::vector<const FinishedDay*>& days) {
   std::map<std::string, std::set<std::string>> values;
-  for (const auto& day : days) {
-    if (day.variant == variant) {
-      for (const auto& [path, value] : day.settings) {
-        values[path].insert(value);
-      }
+  for (const auto* day : days) {
+    for (const auto& [path, value] : day->settings) {
+      values[path].insert(value);
     }
   }
   std::set<std::string> paths;
@@ -90,10 +99,22 @@ std::set<std::string> varied(const std::vector<FinishedDay>& days, const std::st
   return paths;
 }
 
+/// Paths in which a day differs from a reference that has one setting.
+std::set<std::string> switched(const FinishedDay& day, const Reference& reference) {
+  std::set<std::string> paths;
+  for (const auto& [path, value] : day.settings) {
+    if (reference.front.size() == 1 && reference.settings.at(path) != value) {
+      paths.insert(path);
+    }
+  }
+  return paths;
+}
+
 std::string label(const FinishedDay& day, const std::set<std::string>& paths) {
   std::string text;
   for (const auto& path : paths) {
-    text += (text.empty() ? "" : " ") + path + "=" + day.settings.at(path);
+    const std::string& value = day.settings.at(path);
+    text += (text.empty() ? "" : " ") + path + "=" + (value.empty() ? "default" : value);
   }
   return text.empty() ? "as given" : text;
 }
@@ -101,6 +122,7 @@ std::string label(const FinishedDay& day, const std::set<std::string>& paths) {
 /// One row from its pairs, those of one occasion averaged first.
 Compared summed_up(Compared row, const Pairs& pairs) {
   Pair sum;
+  std::vector<DayValue> absolute;
   std::vector<DayValue> relative;
   for (const auto& [occasion, of_occasion] : pairs) {
     if (of_occasion.empty()) {
@@ -111,17 +133,24 @@ Compared summed_up(Compared row, const Pairs& pairs) {
                                       [](Pair total, const Pair& pair) { return total += pair; }) /
                       static_cast<double>(of_occasion.size());
     sum += mean;
-    relative.push_back({std::get<1>(occasion), mean.relative});
+    absolute.push_back({std::get<2>(occasion), mean.value - mean.reference});
+    relative.push_back({std::get<2>(occasion), mean.relative});
   }
   row.pairs = static_cast<int>(relative.size());
-  if (!relative.empty()) {
-    sum = sum / static_cast<double>(relative.size());
-    row.at = sum.at;
-    row.value = sum.value;
-    row.reference = sum.reference;
+  if (row.pairs == 0) {
+    return row;
+  }
+  sum = sum / static_cast<double>(relative.size());
+  row.at = sum.at;
+  row.value = sum.value;
+  row.reference = sum.reference;
+  row.difference = t_interval(absolute);
+  row.relative = !std::isnan(sum.relative);
+  if (row.relative) {
     row.by_t = t_interval(relative);
     row.by_bootstrap = bootstrap_interval(relative);
   }
+  row.p = t_test(row.relative ? relative : absolute);
   return row;
 }
 
@@ -132,33 +161,36 @@ std::vector<Pair> paired(const FinishedDay& day, const std::vector<FrontPoint>& 
   if (!reference) {
     return {};
   }
-  if (*reference == 0.0) {
-    throw bad_input("`" + question.metric + "` of " + question.reference + " is 0 on " + day.day + ", seed " +
-                    std::to_string(day.seed) + ": no difference is relative to that; compare another metric");
-  }
   const double value = day.totals.at(question.metric);
-  return {{at, value, *reference, value / *reference - 1.0}};
+  const double relative = *reference == 0.0 ? std::numeric_limits<double>::quiet_NaN() : value / *reference - 1.0;
+  return {{at, value, *reference, relative}};
 }
 
-/// The rows of one variant under one schedule of faults.
-std::vector<Compared> compare_variant(const std::vector<FinishedDay>& days,
-                                      const std::map<Occasion, std::vector<FrontPoint>>& fronts, const Compared& start,
+/// The rows of one variant in one scenario under one schedule of faults: `days`, of which there is one at least.
+std::vector<Compared> compare_variant(const std::vector<const FinishedDay*>& days, const References& references,
                                       const Question& question) {
-  const std::set<std::string> paths = varied(days, start.variant);
+  const Compared start{
+      .scenario = days.front()->scenario, .faults = days.front()->faults, .variant = days.front()->variant};
+  const std::set<std::string> own = varied(days);
   std::vector<std::string> points;
   std::map<std::string, Pairs> by_point;
   Pairs together;
-  for (const auto& day : days) {
-    if (day.variant == start.variant && day.faults == start.faults) {
-      const std::string point = label(day, paths);
-      if (!by_point.contains(point)) {
-        points.push_back(point);
-      }
-      const auto pair = paired(day, fronts.at(occasion_of(day)), question);
-      by_point[point][occasion_of(day)] = pair;
-      auto& all = together[occasion_of(day)];
-      all.insert(all.end(), pair.begin(), pair.end());
+  for (const auto* day : days) {
+    const Occasion occasion = occasion_of(*day);
+    const auto reference = references.find(occasion);
+    if (reference == references.end()) {
+      continue;
     }
+    std::set<std::string> paths = switched(*day, reference->second);
+    paths.insert(own.begin(), own.end());
+    const std::string point = label(*day, paths);
+    if (!by_point.contains(point)) {
+      points.push_back(point);
+    }
+    const auto pair = paired(*day, reference->second.front, question);
+    by_point[point][occasion] = pair;
+    auto& all = together[occasion];
+    all.insert(all.end(), pair.begin(), pair.end());
   }
   std::vector<Compared> rows;
   for (const auto& point : points) {
@@ -177,16 +209,40 @@ std::vector<Compared> compare_variant(const std::vector<FinishedDay>& days,
 std::vector<Compared> compare(const std::vector<FinishedDay>& days, const Question& question) {
   check_metric(question.metric);
   check_metric(question.at.value_or(question.metric));
-  const auto fronts = fronts_of(days, question);
-  std::vector<Compared> rows;
-  std::set<std::pair<std::string, std::string>> seen;
+  const References references = references_of(days, question);
+  using Group = std::tuple<std::string, std::string, std::string>;
+  std::vector<Group> groups;
+  std::map<Group, std::vector<const FinishedDay*>> by_group;
   for (const auto& day : days) {
-    if (day.variant != question.reference && seen.emplace(day.faults, day.variant).second) {
-      const auto more = compare_variant(days, fronts, {.faults = day.faults, .variant = day.variant}, question);
-      rows.insert(rows.end(), more.begin(), more.end());
+    if (day.variant != question.reference) {
+      const Group group{day.scenario, day.faults, day.variant};
+      if (!by_group.contains(group)) {
+        groups.push_back(group);
+      }
+      by_group[group].push_back(&day);
     }
   }
+  std::vector<Compared> rows;
+  for (const auto& group : groups) {
+    const auto more = compare_variant(by_group.at(group), references, question);
+    rows.insert(rows.end(), more.begin(), more.end());
+  }
+  adjust(rows);
   return rows;
+}
+
+void adjust(std::vector<Compared>& rows) {
+  std::vector<double> p;
+  for (const auto& row : rows) {
+    if (row.pairs > 0) {
+      p.push_back(row.p);
+    }
+  }
+  const std::vector<double> adjusted = holm(p);
+  auto next = adjusted.begin();
+  for (auto& row : rows) {
+    row.p_holm = row.pairs > 0 ? *next++ : 1.0;
+  }
 }
 
 }  // namespace evbal

@@ -60,6 +60,25 @@ Row day_row(std::size_t run, const Sweep& sweep, const SweptDay& day, const std:
   return row;
 }
 
+/// The metrics that add up over a day's steps.
+std::vector<std::string> additive_metrics() {
+  std::vector<std::string> names;
+  const auto add = [&](const char* name, auto) { names.emplace_back(name); };
+  add("idle_km", 0.0);
+  columns(add, Unfairness{});
+  columns(add, Flows{});
+  return names;
+}
+
+/// By key, what the steps from 07:00 on add up to.
+std::string after_7_query() {
+  std::string sums;
+  for (const auto& name : additive_metrics()) {
+    sums += ", sum(\"" + name + "\") AS \"" + name + "_after_7\"";
+  }
+  return "(SELECT key" + sums + " FROM steps WHERE start >= '07:00' GROUP BY key)";
+}
+
 /// A row of `days` with its result.
 FinishedDay finished_day(SQLite::Statement& row) {
   FinishedDay day{.scenario = row.getColumn("scenario").getString(),
@@ -72,7 +91,7 @@ FinishedDay finished_day(SQLite::Statement& row) {
   for (; std::string(row.getColumnName(at)) != "key"; ++at) {
     day.settings[row.getColumnName(at)] = row.getColumn(at).getString();
   }
-  for (const auto& metric : metric_names()) {
+  for (const auto& metric : finished_metrics()) {
     day.totals[metric] = row.getColumn(metric.c_str()).getDouble();
   }
   return day;
@@ -160,12 +179,21 @@ std::string swept_steps_csv(const fs::path& file) {
   return csv(file, "SELECT run, steps.* FROM days JOIN steps USING (key) ORDER BY run, step");
 }
 
+std::vector<std::string> finished_metrics() {
+  std::vector<std::string> names = metric_names();
+  for (const auto& name : additive_metrics()) {
+    names.push_back(name + "_after_7");
+  }
+  return names;
+}
+
 std::vector<FinishedDay> read_finished(const fs::path& file) {
   if (!fs::exists(file)) {
     throw bad_input(file.string() + ": is not there; give a directory that `evbal sweep` wrote");
   }
   const SQLite::Database database = opened(file, SQLite::OPEN_READONLY);
-  SQLite::Statement rows(database, "SELECT * FROM days LEFT JOIN results USING (key) ORDER BY run");
+  SQLite::Statement rows(database, "SELECT * FROM days LEFT JOIN results USING (key) LEFT JOIN " + after_7_query() +
+                                       " USING (key) ORDER BY run");
   std::vector<FinishedDay> days;
   while (rows.executeStep()) {
     if (rows.getColumn("digest").isNull()) {

@@ -53,8 +53,11 @@ struct FinishedDay {
   std::string day;
   std::uint64_t seed = 0;
   std::map<std::string, std::string> settings{};  ///< of the variant, by path
-  std::map<std::string, double> totals{};         ///< by metric
+  std::map<std::string, double> totals{};         ///< by finished_metrics()
 };
+
+/// The metrics of a day, and `_after_7` those that add up over its steps, of the steps from 07:00 on.
+std::vector<std::string> finished_metrics();
 
 /// The days of a finished sweep, by `run`. Throws Error{bad_input} if there is no sweep or a day of it is missing.
 std::vector<FinishedDay> read_finished(const std::filesystem::path& file);

@@ -18,6 +18,12 @@ line("bootstrap", mean(means), quantile(drawn, c(0.025, 0.975)))
 for (degrees in c(1, 2, 6, 13, 100)) line("student", 0.95, degrees, qt(0.975, degrees))
 line("student", 0.5, 6, qt(0.75, 6))
 
+line("p", test$p.value)
+line("p", t.test(means + 0.19)$p.value)
+family <- c(0.011, 0.0004, 0.2, 0.012, 0.9, 0.011)
+line("family", family)
+line("holm", p.adjust(family, "holm"))
+
 cost <- c(19000, 11500, 16000, 14000.5)
 lost <- c(210, 402, 260, 311)
 for (i in seq_along(cost)) line("point", cost[i], lost[i])

@@ -52,6 +52,20 @@ TEST_F(AgainstR, IntervalsAgree) {
   expect_near(bootstrap, lines_.at("bootstrap").at(0), 0.02 * (bootstrap.high - bootstrap.low));
 }
 
+TEST_F(AgainstR, TestsAgree) {
+  EXPECT_NEAR(t_test(values()) / lines_.at("p").at(0).at(0), 1.0, 1e-9);
+  std::vector<DayValue> shifted = values();
+  for (auto& value : shifted) {
+    value.value += 0.19;
+  }
+  EXPECT_NEAR(t_test(shifted), lines_.at("p").at(1).at(0), 1e-12);
+  const auto adjusted = holm(lines_.at("family").at(0));
+  ASSERT_EQ(adjusted.size(), 6);
+  for (std::size_t i = 0; i < adjusted.size(); ++i) {
+    EXPECT_NEAR(adjusted[i], lines_.at("holm").at(0).at(i), 1e-15);
+  }
+}
+
 TEST_F(AgainstR, QuantilesOfStudentsTAgree) {
   ASSERT_EQ(lines_.at("student").size(), 6);
   for (const auto& line : lines_.at("student")) {
@@ -89,6 +103,7 @@ TEST(Intervals, OfOneDayAreInfinite) {
   EXPECT_EQ(t_interval(one).mean, 1.5);
   EXPECT_TRUE(std::isinf(t_interval(one).low));
   EXPECT_TRUE(std::isinf(bootstrap_interval(one).high));
+  EXPECT_EQ(t_test(one), 1.0);
 }
 
 TEST(Front, TakesTheLowestOfEqualCosts) {

@@ -29,7 +29,7 @@ SweptResult small_result(int lost) {
   SweptResult result;
   result.metrics.totals.flows.lost = lost;
   result.metrics.totals.idle_km = 0.1;
-  result.metrics.steps = {{.step = 0}, {.step = 1}};
+  result.metrics.steps = {{.step = 0, .idle_km = 1.0}, {.step = 1, .idle_km = 2.0}, {.step = 4, .idle_km = 0.5}};
   result.digest = "d" + std::to_string(lost);
   return result;
 }
@@ -70,6 +70,8 @@ TEST_F(SweepFileOf3, GivesFinishedDaysBack) {
   EXPECT_EQ(days[0].controller, "ratio");
   EXPECT_EQ(days[0].totals.at("lost"), 10.0);
   EXPECT_EQ(days[2].totals.at("lost"), 20.0);
+  EXPECT_EQ(days[2].totals.at("idle_km"), 0.1);
+  EXPECT_EQ(days[2].totals.at("idle_km_after_7"), 0.5);
   EXPECT_EQ(days[2].seed, 18446744073709551615ULL);
   EXPECT_EQ(days[2].settings.at("x"), "[1, 2]");
 }
