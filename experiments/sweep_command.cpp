@@ -42,7 +42,7 @@ void sweep(const Arguments& arguments) {
   const Sweep sweep = read_sweep(arguments.sweep, {arguments.quick, tuned_first(arguments)});
   const std::vector<std::string> keys = keys_of(sweep);
   const SweepFolder folder(folder_of(arguments));
-  for (const char* csv : {"days.csv", "steps.csv"}) {
+  for (const char* csv : {"days.csv", "steps.csv", "page.md"}) {
     fs::remove(folder.path() / csv);
   }
   play_sweep(sweep, keys, folder, arguments.playing);
@@ -52,6 +52,10 @@ void sweep(const Arguments& arguments) {
                               .scenario = resolved_yaml(scenario_of(first), first.controller)});
   write_file(folder.path() / "steps.csv", swept_steps_csv(folder.file()));
   write_file(folder.path() / "days.csv", swept_days_csv(folder.file()));
+  if (sweep.page) {
+    const std::string command = "evbal sweep " + arguments.sweep.string() + (arguments.quick ? " --quick" : "");
+    write_file(folder.path() / "page.md", page_markdown(*sweep.page, read_finished(folder.file()), command));
+  }
   std::printf("%s\n", (folder.path() / "days.csv").c_str());
 }
 

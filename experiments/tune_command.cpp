@@ -50,7 +50,7 @@ void add_tune_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("tune", "Find every controller's settings on training days");
   command->add_option("TUNING", arguments->tuning, "Tuning file (YAML)")->required();
   command->add_option("--out", arguments->out, "Directory, new or of this tuning; otherwise one under runs/");
-  command->add_flag("--quick", arguments->quick, "Four candidates, two days and one seed only");
+  command->add_flag("--quick", arguments->quick, "Four candidates, one day and one seed only");
   add_playing_options(*command, arguments->playing);
   command->callback([arguments] { tune_at(*arguments); });
 }

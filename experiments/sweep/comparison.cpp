@@ -48,8 +48,15 @@ using Pairs = std::map<Occasion, std::vector<Pair>>;
 /// The reference's settings on one occasion.
 struct Reference {
   std::vector<FrontPoint> front;
-  std::map<std::string, std::string> settings;  ///< of the last one
+  std::map<std::string, std::string> settings;  ///< of the last one, its controller too
 };
+
+/// The settings of a day, among which its controller.
+std::map<std::string, std::string> settings_of(const FinishedDay& day) {
+  auto settings = day.settings;
+  settings["controller"] = day.controller;
+  return settings;
+}
 
 using References = std::map<Occasion, Reference>;
 
@@ -68,7 +75,7 @@ References references_of(const std::vector<FinishedDay>& days, const Question& q
     if (day.variant == question.reference) {
       auto& reference = references[occasion_of(day)];
       reference.front.push_back({question.at ? day.totals.at(*question.at) : 0.0, day.totals.at(question.metric)});
-      reference.settings = day.settings;
+      reference.settings = settings_of(day);
     }
   }
   if (references.empty()) {
@@ -102,7 +109,7 @@ std::set<std::string> varied(const std::vector<const FinishedDay*>& days) {
 /// Paths in which a day differs from a reference that has one setting.
 std::set<std::string> switched(const FinishedDay& day, const Reference& reference) {
   std::set<std::string> paths;
-  for (const auto& [path, value] : day.settings) {
+  for (const auto& [path, value] : settings_of(day)) {
     if (reference.front.size() == 1 && reference.settings.at(path) != value) {
       paths.insert(path);
     }
@@ -113,7 +120,7 @@ std::set<std::string> switched(const FinishedDay& day, const Reference& referenc
 std::string label(const FinishedDay& day, const std::set<std::string>& paths) {
   std::string text;
   for (const auto& path : paths) {
-    const std::string& value = day.settings.at(path);
+    const std::string value = settings_of(day).at(path);
     text += (text.empty() ? "" : " ") + path + "=" + (value.empty() ? "default" : value);
   }
   return text.empty() ? "as given" : text;

@@ -22,7 +22,7 @@ struct Axis {
 struct Variant {
   YamlValue place;
   std::string name{};
-  std::string controller{};            ///< empty if it is tuned
+  std::string controller{};            ///< empty: that which was tuned
   std::string tuned{};                 ///< name in what was tuned; empty if it is not
   std::vector<Axis> settings{};        ///< in place of what was tuned, or beside it
   std::vector<Axis> factors{};         ///< of what was tuned
@@ -49,17 +49,12 @@ Variant read_variant(const YamlValue& value) {
   YamlMap map(value);
   Variant variant{.place = value};
   const auto tuned = map.find("tuned");
-  const auto controller = tuned ? map.find("controller") : map.require("controller");
-  if (tuned && controller) {
-    throw controller->error("what was tuned says which controller; leave `controller` out");
-  }
-  if (tuned) {
-    variant.tuned = plain_name(*tuned);
-  } else {
+  variant.tuned = tuned ? plain_name(*tuned) : "";
+  if (const auto controller = tuned ? map.find("controller") : map.require("controller")) {
     variant.controller = controller_names()[controller->one_of(controller_names())];
   }
   const auto name = map.find("name");
-  variant.name = name ? plain_name(*name) : variant.controller + variant.tuned;
+  variant.name = name ? plain_name(*name) : tuned ? variant.tuned : variant.controller;
   variant.settings = read_axes(map.find("settings"));
   const auto factors = map.find("factors");
   if (factors && !tuned) {
@@ -83,6 +78,14 @@ std::vector<Variant> read_variants(const YamlValue& list) {
     }
   }
   return variants;
+}
+
+std::vector<std::string> names_of(const std::vector<Variant>& variants) {
+  std::vector<std::string> names;
+  for (const auto& variant : variants) {
+    names.push_back(variant.name);
+  }
+  return names;
 }
 
 /// Each point with each value of the axis.
@@ -122,7 +125,10 @@ InScenario in_scenario(const Variant& variant, const std::string& scenario, cons
     if (found == all_tuned.end()) {
       throw variant.place.error("nothing called `" + variant.tuned + "` was tuned for scenario `" + scenario + "`");
     }
-    result = {found->second.controller, {found->second.settings}};
+    result.points = {found->second.settings};
+    if (result.controller.empty()) {
+      result.controller = found->second.controller;
+    }
   }
   const Point tuned = result.points.front();
   for (const auto& axis : variant.settings) {
@@ -155,12 +161,14 @@ Sweep read_sweep(const fs::path& file, const SweepReading& reading) {
   std::vector<Variant> variants = read_variants(map.require("variants"));
   Occasions occasions(map);
   const Tuned tuned = tuned_for(map, reading);
+  const auto page = map.find("page");
   map.finish();
   if (reading.quick) {
     occasions.cut(quick_days, 1);
   }
 
   Sweep sweep;
+  sweep.page = page ? std::optional(read_page(*page, names_of(variants))) : std::nullopt;
   for (auto& variant : variants) {
     variant.seeds.resize(std::min<std::size_t>(variant.seeds.size(), reading.quick ? 1 : variant.seeds.size()));
     for (const auto& name : occasions.scenarios()) {

@@ -3,11 +3,13 @@
 #include "common/yaml.hpp"
 #include "experiments/scenario/scenario.hpp"
 #include "experiments/sweep/occasions.hpp"
+#include "experiments/sweep/page.hpp"
 #include "experiments/sweep/tuned.hpp"
 
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +31,7 @@ struct SweptDay {
 struct Sweep {
   std::vector<std::string> settings;  ///< paths that any variant sets, in the order of the file
   std::vector<SweptDay> days;  ///< at least one; by variant, scenario, settings, faults, day and seed, as in the file
+  std::optional<Page> page{};
 };
 
 /// How much of a sweep is read, and what else it needs.

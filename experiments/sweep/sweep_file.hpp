@@ -2,10 +2,10 @@
 
 #include "common/clock.hpp"
 #include "experiments/metrics/metrics.hpp"
+#include "experiments/sweep/finished_day.hpp"
 #include "experiments/sweep/sweep.hpp"
 
 #include <filesystem>
-#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -43,21 +43,6 @@ std::string swept_days_csv(const std::filesystem::path& file);
 
 /// steps.csv: a row a step of every day, `run` first.
 std::string swept_steps_csv(const std::filesystem::path& file);
-
-/// A day of a sweep and what it came to.
-struct FinishedDay {
-  std::string scenario{};
-  std::string variant;
-  std::string controller{};
-  std::string faults;
-  std::string day;
-  std::uint64_t seed = 0;
-  std::map<std::string, std::string> settings{};  ///< of the variant, by path
-  std::map<std::string, double> totals{};         ///< by finished_metrics()
-};
-
-/// The metrics of a day, and `_after_7` those that add up over its steps, of the steps from 07:00 on.
-std::vector<std::string> finished_metrics();
 
 /// The days of a finished sweep, by `run`. Throws Error{bad_input} if there is no sweep or a day of it is missing.
 std::vector<FinishedDay> read_finished(const std::filesystem::path& file);

@@ -147,7 +147,7 @@ Tuning read_tuning(const std::filesystem::path& file, bool quick) {
   tuning.variants = read_tunables(map.require("variants"));
   map.finish();
   if (quick) {
-    tuning.occasions.cut(2, 1);
+    tuning.occasions.cut(1, 1);
     tuning.candidates = std::min(tuning.candidates, quick_candidates);
   }
   return tuning;

@@ -37,7 +37,7 @@ struct Tuning {
 };
 
 /// Reads a tuning. Throws Error{bad_input} with file, line, reason and what would be right, also if a day is not one of
-/// the training days of every scenario's city. `quick`: four candidates, two days, one seed.
+/// the training days of every scenario's city. `quick`: four candidates, one day, one seed.
 Tuning read_tuning(const std::filesystem::path& file, bool quick);
 
 /// A candidate with what it has shown so far.

@@ -24,6 +24,12 @@ family <- c(0.011, 0.0004, 0.2, 0.012, 0.9, 0.011)
 line("family", family)
 line("holm", p.adjust(family, "holm"))
 
+x <- c(3.5, 1, 4, 1, 5, 9, 2.5)
+y <- c(2, 7, 1, 8, 2, 8, 1)
+line("ranks_x", x)
+line("ranks_y", y)
+line("ranks", cor(x, y, method = "spearman"))
+
 cost <- c(19000, 11500, 16000, 14000.5)
 lost <- c(210, 402, 260, 311)
 for (i in seq_along(cost)) line("point", cost[i], lost[i])

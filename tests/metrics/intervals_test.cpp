@@ -1,6 +1,7 @@
 #include "experiments/metrics/intervals.hpp"
 
 #include "experiments/metrics/front.hpp"
+#include "experiments/metrics/ranks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -64,6 +65,12 @@ TEST_F(AgainstR, TestsAgree) {
   for (std::size_t i = 0; i < adjusted.size(); ++i) {
     EXPECT_NEAR(adjusted[i], lines_.at("holm").at(0).at(i), 1e-15);
   }
+}
+
+TEST_F(AgainstR, RankCorrelationsAgree) {
+  const std::vector<double> x = lines_.at("ranks_x").at(0);
+  EXPECT_NEAR(rank_correlation(x, lines_.at("ranks_y").at(0)), lines_.at("ranks").at(0).at(0), 1e-12);
+  EXPECT_EQ(rank_correlation(x, std::vector<double>(x.size(), 1.0)), 0.0);
 }
 
 TEST_F(AgainstR, QuantilesOfStudentsTAgree) {
