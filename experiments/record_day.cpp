@@ -11,6 +11,7 @@
 #include "experiments/progress/progress.hpp"
 #include "experiments/record/row.hpp"
 #include "experiments/record/summary.hpp"
+#include "experiments/record/text.hpp"
 
 #include <memory>
 
@@ -108,6 +109,13 @@ RunResult play(const Scenario& scenario, const std::string& resolved, const std:
   return record.finish();
 }
 
+SweptResult keep(const Scenario& scenario, Players& players) {
+  std::vector<TickRecord> ticks;
+  run_day(scenario.world, players, [&](const TickRecord& tick) { ticks.push_back(tick); });
+  return {
+      .metrics = measure(frame_of(scenario), ticks), .digest = digest_of(ticks), .fallbacks = count_fallbacks(ticks)};
+}
+
 }  // namespace
 
 std::string own_transport(const Scenario& scenario) {
@@ -147,11 +155,13 @@ RunResult record_day(const Scenario& scenario, const std::string& resolved, cons
 }
 
 SweptResult play_day(const Scenario& scenario) {
-  const auto players = players_of(scenario, {}, "inproc");
-  std::vector<TickRecord> ticks;
-  run_day(scenario.world, *players, [&](const TickRecord& tick) { ticks.push_back(tick); });
-  return {
-      .metrics = measure(frame_of(scenario), ticks), .digest = digest_of(ticks), .fallbacks = count_fallbacks(ticks)};
+  return keep(scenario, *players_of(scenario, {}, "inproc"));
+}
+
+SweptResult play_day(const Scenario& scenario, const std::filesystem::path& folder) {
+  const EmptyFolder own(folder);
+  write_file(folder / "scenario.resolved.yaml", resolved_yaml(scenario, scenario.planning.controller));
+  return keep(scenario, *players_of(scenario, folder, scenario.transport));
 }
 
 }  // namespace evbal

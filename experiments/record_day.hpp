@@ -34,7 +34,9 @@ void check_planning(const Scenario& scenario);
 RunResult record_day(const Scenario& scenario, const std::string& resolved, const std::filesystem::path& folder,
                      const Stage& stage);
 
-/// Plays the day in this process and keeps what it came to only. Throws Error{run_failed}.
+/// Plays the day and keeps what it came to only: in this process, or by the scenario's transport in `folder`, which is
+/// made and goes again. Throws Error{run_failed}.
 SweptResult play_day(const Scenario& scenario);
+SweptResult play_day(const Scenario& scenario, const std::filesystem::path& folder);
 
 }  // namespace evbal

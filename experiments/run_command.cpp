@@ -2,13 +2,13 @@
 
 #include "common/error.hpp"
 #include "common/interrupt.hpp"
+#include "experiments/monte_carlo.hpp"
 #include "experiments/record/paired_run.hpp"
 #include "experiments/record/recorded_run.hpp"
 #include "experiments/record/text.hpp"
-#include "experiments/record_day.hpp"
 #include "experiments/report_command.hpp"
-#include "experiments/sweep/workers.hpp"
 #include "experiments/table.hpp"
+#include "experiments/twins.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -17,6 +17,7 @@
 #include <filesystem>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <sstream>
 
 namespace evbal {
@@ -52,47 +53,19 @@ void refuse_used(const fs::path& folder) {
   }
 }
 
-/// One controller's run.
-struct Run {
-  Scenario scenario;
-  fs::path folder;
-};
-
-std::vector<Run> runs_of(const Scenario& scenario, const fs::path& folder) {
-  std::vector<Run> runs;
-  runs.reserve(scenario.controllers.size());
-  for (const auto& controller : scenario.controllers) {
-    runs.push_back(
-        {with_controller(scenario, controller), scenario.controllers.size() == 1 ? folder : folder / controller});
-  }
-  return runs;
-}
-
-RunResult record(const Scenario& scenario, const fs::path& folder, bool quiet) {
-  return record_day(scenario, resolved_yaml(scenario, scenario.planning.controller), folder,
-                    {.transport = scenario.transport, .quiet = quiet});
-}
-
-/// Plays the runs, and beside them, in a process of its own, their twins without faults.
+/// Plays the runs, and their twins beside them.
 std::vector<RunResult> record_all(const std::vector<Run>& runs, bool quiet) {
-  Workers twins;
+  std::optional<Twins> twins;
   if (!runs.front().scenario.schedule.faults.empty()) {
-    twins.start(0, [&](std::size_t) {
-      for (const auto& run : runs) {
-        record(without_faults(run.scenario), twin_folder(run.folder), true);
-      }
-    });
+    twins.emplace(runs);
   }
   std::vector<RunResult> results;
+  results.reserve(runs.size());
   for (const auto& run : runs) {
-    results.push_back(record(run.scenario, run.folder, quiet));
+    results.push_back(record(run, quiet));
   }
-  while (twins.count() > 0) {
-    twins.reap([](std::size_t, const std::string& complaint) {
-      if (!complaint.empty()) {
-        throw run_failed("the day without faults: " + complaint);
-      }
-    });
+  if (twins) {
+    twins->await();
   }
   return results;
 }
@@ -141,6 +114,22 @@ Command words_of(const std::string& text) {
   return command_from(fs::current_path(), {std::istream_iterator<std::string>(in), {}});
 }
 
+/// The runs of a schedule that was drawn once.
+void play_once(const Scenario& scenario, const fs::path& folder, bool quiet) {
+  const std::vector<RunResult> results = record_all(runs_of(scenario, folder), quiet);
+  const std::string costs = write_reports(folder, results);
+  if (!quiet) {
+    std::printf("\n%s\n%s", side_by_side(results).c_str(), costs.c_str());
+  }
+  for (const auto& result : results) {
+    std::printf("%s\n", result.folder.c_str());
+  }
+  if (!quiet) {
+    std::printf("%s\n", (folder / "report.html").c_str());
+  }
+  check_expectations(scenario, results);
+}
+
 void run(const Arguments& arguments) {
   catch_interrupts();
   const Scenario scenario = read_scenario(find_scenario(arguments.scenario), arguments.overrides);
@@ -149,25 +138,18 @@ void run(const Arguments& arguments) {
     refuse_used(arguments.out);
   }
   const fs::path folder = arguments.out.empty() ? claim_folder(scenario) : fs::path(arguments.out);
-  std::vector<RunResult> results;
   try {
-    results = record_all(runs_of(scenario, folder), arguments.quiet);
+    if (scenario.draws.size() > 1) {
+      const bool over_bus = arguments.overrides.transport == "dds" || own_transport(scenario) == "dds";
+      play_draws(scenario, folder, {.over_bus = over_bus, .quiet = arguments.quiet});
+    } else {
+      play_once(scenario, folder, arguments.quiet);
+    }
   } catch (...) {
     std::error_code not_empty;
     fs::remove(folder, not_empty);
     throw;
   }
-  const std::string costs = write_reports(folder, results);
-  if (!arguments.quiet) {
-    std::printf("\n%s\n%s", side_by_side(results).c_str(), costs.c_str());
-  }
-  for (const auto& result : results) {
-    std::printf("%s\n", result.folder.c_str());
-  }
-  if (!arguments.quiet) {
-    std::printf("%s\n", (folder / "report.html").c_str());
-  }
-  check_expectations(scenario, results);
 }
 
 }  // namespace

@@ -69,6 +69,25 @@ std::string cost_table(const std::vector<MetricCost>& costs) {
   return aligned(rows, 1);
 }
 
+std::string distribution_table(const std::vector<std::pair<std::string, Distribution>>& rows,
+                               const std::vector<double>& without) {
+  std::vector<std::vector<std::string>> cells = {{""}};
+  for (const auto& [name, value] : named(Distribution{})) {
+    cells.front().push_back(name);
+  }
+  cells.front().emplace_back("without");
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto& [metric, distribution] = rows[i];
+    const int digits = distribution.max < 1.0 ? 4 : 1;
+    cells.push_back({metric});
+    for (const auto& [name, value] : named(distribution)) {
+      cells.back().push_back(fixed(value, digits));
+    }
+    cells.back().push_back(fixed(without[i], digits));
+  }
+  return aligned(cells, 1);
+}
+
 std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size_t left) {
   std::vector<std::size_t> widths;
   for (const auto& row : rows) {

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "experiments/metrics/distribution.hpp"
 #include "experiments/record/paired_run.hpp"
 #include "experiments/record/run_record.hpp"
 
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace evbal {
@@ -14,6 +16,10 @@ std::string side_by_side(const std::vector<RunResult>& results);
 
 /// What the faults of a run cost, a row a metric, aligned likewise.
 std::string cost_table(const std::vector<MetricCost>& costs);
+
+/// How metrics are spread over draws, a row a metric, with its value without faults, aligned likewise.
+std::string distribution_table(const std::vector<std::pair<std::string, Distribution>>& rows,
+                               const std::vector<double>& without);
 
 /// Rows of cells in columns, the first `left` of them flush left, the others flush right.
 std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size_t left);

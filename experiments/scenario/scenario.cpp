@@ -36,7 +36,7 @@ std::vector<std::string> read_controllers(YamlMap& map, const PlanningSettings& 
 /// The schedule of an own file in place of the scenario's.
 void read_fault_file(const std::filesystem::path& file, const Place& place, Scenario& scenario) {
   YamlMap map(YamlValue::load(file));
-  scenario.schedule = read_schedule(map, place);
+  scenario.draws = read_schedules(map, place);
   if (const auto expect = map.find("expect")) {
     const auto more = read_expect(*expect);
     scenario.expect.insert(scenario.expect.end(), more.begin(), more.end());
@@ -52,7 +52,7 @@ void read_faults(YamlMap& scenario_map, const std::optional<std::filesystem::pat
     read_fault_file(*file, place, scenario);
   } else if (own) {
     YamlMap map(*own);
-    scenario.schedule = read_schedule(map, place);
+    scenario.draws = read_schedules(map, place);
     map.finish();
   }
 }
@@ -150,6 +150,7 @@ Scenario read_scenario(const YamlValue& yaml, const Overrides& overrides) {
     scenario.expect = read_expect(*expect);
   }
   read_faults(map, overrides.faults, scenario);
+  scenario.schedule = scenario.draws.front();
   map.finish();
   apply(overrides, scenario);
   if (!scenario.planning.coordinator.empty() && scenario.transport != "dds") {

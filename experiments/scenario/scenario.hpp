@@ -21,6 +21,8 @@ struct Scenario {
   PlanningSettings planning;             ///< its controller is the first of `controllers`
   std::vector<std::string> controllers;  ///< each makes a run of its own; at least one
   Schedule schedule;
+  std::vector<Schedule> draws{
+      Schedule{}};              ///< of the faults, as many as the schedule's `runs`; `schedule` is the first
   std::string transport;        ///< "dds" or "inproc"
   int regions_per_process = 1;  ///< regions that one evbal-agent hosts
   std::vector<Expect> expect;

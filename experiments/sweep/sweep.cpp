@@ -209,6 +209,11 @@ SweptDay day_of(const Occasion& occasion, const std::string& variant, const std:
 
 Scenario scenario_of(const SweptDay& day) {
   Scenario scenario = read_scenario(day.yaml, {.controller = day.controller, .transport = "inproc"});
+  if (scenario.draws.size() > 1) {
+    throw day.yaml.error(
+        "a sweep draws one schedule of faults for each day and seed; leave its `runs` out and give more "
+        "`seeds`");
+  }
   scenario.regions_per_process = 1;
   scenario.expect.clear();
   return scenario;

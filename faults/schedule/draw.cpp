@@ -13,20 +13,17 @@ namespace {
 /// The fields that may be drawn. Values key streams: append, never renumber.
 enum class Field : std::uint64_t { target, start, duration, ramp, magnitude };
 
-/// Only the first of the schedules that a seed can give is drawn.
-constexpr std::uint64_t run = 0;
-
 /// Streams of one repetition of one fault.
 class Draws {
  public:
-  Draws(std::uint64_t seed, const std::string& name, std::uint64_t repetition)
-      : seed_(seed), name_(name_hash(name)), repetition_(repetition) {}
+  Draws(const DrawKey& key, const std::string& name, std::uint64_t repetition)
+      : key_(key), name_(name_hash(name)), repetition_(repetition) {}
 
   RandomStream stream(Field field) const {
     constexpr std::uint64_t fields = 16;
-    return {seed_,
+    return {key_.seed,
             Purpose::fault,
-            {.region = name_, .tick = run, .index = repetition_ * fields + static_cast<std::uint64_t>(field)}};
+            {.region = name_, .tick = key_.run, .index = repetition_ * fields + static_cast<std::uint64_t>(field)}};
   }
 
   double operator()(const Quantity& quantity, Field field) const {
@@ -48,7 +45,7 @@ class Draws {
     return hash;
   }
 
-  std::uint64_t seed_;
+  DrawKey key_;
   std::uint64_t name_;
   std::uint64_t repetition_;
 };
@@ -86,8 +83,8 @@ std::vector<double> draw_magnitudes(const Request& request, const std::vector<in
 }
 
 /// Minutes after midnight at which the fault strikes.
-std::vector<int> draw_starts(const Request& request, std::uint64_t seed) {
-  const Draws draws(seed, request.name, 0);
+std::vector<int> draw_starts(const Request& request, const DrawKey& key) {
+  const Draws draws(key, request.name, 0);
   if (request.start) {
     return {draws.whole(*request.start, Field::start)};
   }
@@ -122,11 +119,11 @@ Fault draw_fault(const Request& request, const Place& place, int start, const Dr
 
 }  // namespace
 
-std::vector<Fault> draw_faults(const Request& request, const Place& place, std::uint64_t seed) {
+std::vector<Fault> draw_faults(const Request& request, const Place& place, const DrawKey& key) {
   std::vector<Fault> faults;
   std::uint64_t repetition = 0;
-  for (const int start : draw_starts(request, seed)) {
-    Fault fault = draw_fault(request, place, start, Draws(seed, request.name, repetition++));
+  for (const int start : draw_starts(request, key)) {
+    Fault fault = draw_fault(request, place, start, Draws(key, request.name, repetition++));
     if (!request.start) {
       fault.name.append("-").append(std::to_string(repetition));
     }

@@ -7,6 +7,7 @@
 #include "faults/schedule/request.hpp"
 #include "faults/schedule/target.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -123,34 +124,85 @@ std::string fault_yaml(const Fault& fault, const DayClock& clock) {
   return yaml;
 }
 
-}  // namespace
+/// How many schedules are drawn.
+int read_runs(const YamlValue& value, bool resolved) {
+  if (resolved) {
+    throw value.error("nothing is left to draw in a resolved list of faults; leave `runs` out");
+  }
+  constexpr int most = 10'000;
+  return value.integer(1, most);
+}
 
-Schedule read_schedule(YamlMap& map, const Place& place) {
-  map.require("schema").integer(1, 1);
-  const auto resolved_key = map.find("resolved");
-  const bool resolved = resolved_key && resolved_key->boolean();
-  Schedule schedule;
-  if (const auto seed = map.find("seed")) {
-    schedule.seed = seed->seed();
+/// Faults that keep the guard.
+std::vector<Fault> checked(const std::vector<PlacedFault>& placed, const Guard& guard, const Place& place) {
+  check_guard(guard, placed, place);
+  std::vector<Fault> faults;
+  faults.reserve(placed.size());
+  for (const auto& fault : placed) {
+    faults.push_back(fault.fault);
   }
-  if (const auto guard = map.find("guard")) {
-    schedule.guard = read_guard(*guard);
-  }
+  return faults;
+}
+
+std::vector<Fault> draw_all(const std::vector<YamlValue>& entries, const Guard& guard, const Place& place,
+                            const DrawKey& key) {
   std::vector<PlacedFault> placed;
-  for (const auto& entry : map.require("faults").items()) {
-    if (resolved) {
-      placed.push_back({read_fault(entry, place), entry});
-      continue;
-    }
-    for (auto& fault : draw_faults(read_request(entry, place), place, schedule.seed)) {
+  for (const auto& entry : entries) {
+    for (auto& fault : draw_faults(read_request(entry, place), place, key)) {
       placed.push_back({std::move(fault), entry});
     }
   }
-  check_guard(schedule.guard, placed, place);
-  for (auto& fault : placed) {
-    schedule.faults.push_back(std::move(fault.fault));
+  return checked(placed, guard, place);
+}
+
+/// Draws `runs` schedules. What is wrong with a later one is said with its number.
+std::vector<Schedule> draw_runs(const std::vector<YamlValue>& entries, const Schedule& head, const Place& place,
+                                int runs) {
+  std::vector<Schedule> schedules(static_cast<std::size_t>(runs), head);
+  for (int run = 0; run < runs; ++run) {
+    try {
+      schedules[run].faults = draw_all(entries, head.guard, place, {head.seed, static_cast<std::uint64_t>(run)});
+    } catch (const Error& error) {
+      throw run == 0 ? error
+                     : Error(error.status(), std::string(error.what()) + " (in draw " + std::to_string(run + 1) +
+                                                 " of " + std::to_string(runs) + ")");
+    }
   }
-  return schedule;
+  return schedules;
+}
+
+}  // namespace
+
+std::vector<Schedule> read_schedules(YamlMap& map, const Place& place) {
+  map.require("schema").integer(1, 1);
+  const auto resolved_key = map.find("resolved");
+  const bool resolved = resolved_key && resolved_key->boolean();
+  Schedule head;
+  if (const auto seed = map.find("seed")) {
+    head.seed = seed->seed();
+  }
+  if (const auto guard = map.find("guard")) {
+    head.guard = read_guard(*guard);
+  }
+  const auto given = map.find("runs");
+  const int runs = given ? read_runs(*given, resolved) : 1;
+  const auto entries = map.require("faults").items();
+  if (!resolved) {
+    auto schedules = draw_runs(entries, head, place, runs);
+    if (runs > 1 && std::all_of(schedules.begin(), schedules.end(),
+                                [&](const Schedule& schedule) { return schedule == schedules.front(); })) {
+      throw given->error(
+          "the faults leave nothing to draw, all runs would be the same; leave `runs` out, or give a "
+          "distribution or `pick`");
+    }
+    return schedules;
+  }
+  std::vector<PlacedFault> placed;
+  for (const auto& entry : entries) {
+    placed.push_back({read_fault(entry, place), entry});
+  }
+  head.faults = checked(placed, head.guard, place);
+  return {head};
 }
 
 Schedule read_resolved(YamlMap& scenario, const Place& place) {
@@ -159,9 +211,9 @@ Schedule read_resolved(YamlMap& scenario, const Place& place) {
   if (!resolved.boolean()) {
     throw resolved.error("the faults must be drawn already; give a resolved scenario");
   }
-  auto schedule = read_schedule(map, place);
+  auto schedules = read_schedules(map, place);
   map.finish();
-  return schedule;
+  return schedules.front();
 }
 
 std::string schedule_yaml(const Schedule& schedule, const DayClock& clock) {

@@ -55,15 +55,16 @@ struct Schedule {
   bool operator==(const Schedule&) const = default;
 };
 
-/// Reads a schedule and draws what it leaves open; one with `resolved: true` is taken as it stands. Asks `map` for
-/// the keys of a schedule only: the caller asks for its own and calls finish(). Throws Error{bad_input} with file and
-/// line for whatever is unknown, out of range, or against the guard.
-Schedule read_schedule(YamlMap& map, const Place& place);
+/// Reads a schedule and draws what it leaves open, as often as `runs` says: once, if that is left out. One with
+/// `resolved: true` is taken as it stands. Asks `map` for the keys of a schedule only: the caller asks for its own and
+/// calls finish(). Throws Error{bad_input} with file and line for whatever is unknown, out of range, or against the
+/// guard, and if all runs would be the same.
+std::vector<Schedule> read_schedules(YamlMap& map, const Place& place);
 
-/// Reads the key `faults` of a resolved scenario. Throws as read_schedule, and if anything is still to be drawn.
+/// Reads the key `faults` of a resolved scenario. Throws as read_schedules, and if anything is still to be drawn.
 Schedule read_resolved(YamlMap& scenario, const Place& place);
 
-/// The schedule as YAML that read_schedule gives back unchanged.
+/// The schedule as YAML that read_schedules gives back unchanged.
 std::string schedule_yaml(const Schedule& schedule, const DayClock& clock);
 
 /// The effects that are active during a tick, of all families, by (fault, region). Pure.

@@ -11,11 +11,15 @@ inline Place small_place() {
   return {DayClock{}, {0, 4, 0, 12, 20}};
 }
 
-inline Schedule read_text(const std::string& text, const Place& place = small_place()) {
+inline std::vector<Schedule> read_runs(const std::string& text, const Place& place = small_place()) {
   YamlMap map(YamlValue::parse(text, "faults.yaml"));
-  auto schedule = read_schedule(map, place);
+  auto schedules = read_schedules(map, place);
   map.finish();
-  return schedule;
+  return schedules;
+}
+
+inline Schedule read_text(const std::string& text, const Place& place = small_place()) {
+  return read_runs(text, place).front();
 }
 
 }  // namespace evbal::testing

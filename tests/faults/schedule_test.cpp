@@ -6,10 +6,12 @@
 
 #include <cassert>
 #include <fstream>
+#include <set>
 
 namespace evbal {
 namespace {
 
+using testing::read_runs;
 using testing::read_text;
 using testing::small_place;
 
@@ -250,6 +252,30 @@ TEST(Schedule, RefusesFaultsThatExcludeEachOther) {
   expect_refused({both("solver.fail, duration: 1h", "solver.fail, duration: 1h"), 3, "in the coordinator"});
 }
 
+TEST(Schedule, IsDrawnAsOftenAsAsked) {
+  const std::string open = replaced(spike, "{regions: [2, 0]}", "{pick: 2}");
+  const auto runs = read_runs(schedule_of({open}, "runs: 30, "));
+  ASSERT_EQ(runs.size(), 30U);
+  EXPECT_EQ(runs[0], read_text(schedule_of({open}))) << "the first is what is drawn alone";
+  std::set<std::vector<int>> drawn;
+  for (const auto& run : runs) {
+    drawn.insert(run.faults.at(0).regions);
+  }
+  EXPECT_GT(drawn.size(), 5U);
+  EXPECT_EQ(read_runs(schedule_of({open}, "runs: 40, "))[29], runs[29]) << "more runs change none";
+}
+
+TEST(Schedule, RefusesRunsThatMakeNoSense) {
+  expect_refused({schedule_of({spike}, "runs: 3, "), 1, "all runs would be the same"});
+  expect_refused({schedule_of({spike}, "runs: 0, "), 1, "from 1 to"});
+  expect_refused({"schema: 1\nresolved: true\nruns: 1\nfaults: []\n", 3, "nothing is left to draw"});
+  const std::string here = "{name: a, type: solver.fail, duration: 1h, start: \"07:00\"";
+  const std::string there =
+      "{name: b, type: solver.fail, duration: 1h, start: {uniform: {min: \"08:00\", max: \"20:00\"}}";
+  EXPECT_NO_THROW(read_runs(schedule_of({here, there}, "runs: 50, ")));
+  expect_refused({schedule_of({here, replaced(there, "08:00", "07:50")}, "runs: 500, "), 3, "of 500)"});
+}
+
 TEST(Schedule, RefusesAHeadThatIsWrong) {
   for (const auto& refusal : std::vector<Refusal>{
            {"seed: 1\nfaults: []\n", 1, "`schema` is missing"},
@@ -321,7 +347,7 @@ std::string example_under(const std::string& heading) {
 TEST(Schedule, TakesTheExamplesOfItsPage) {
   const Place place{DayClock{}, std::vector<int>(13, 6)};
   YamlMap request(YamlValue::parse(example_under("## An example"), "faults.md"));
-  const auto drawn = read_schedule(request, place);
+  const auto drawn = read_schedules(request, place).front();
   EXPECT_EQ(drawn.faults.at(0).name, "evening-spike");
   EXPECT_EQ(drawn.faults.at(1).name, "hub-outage-1");
   EXPECT_TRUE(request.find("expect"));

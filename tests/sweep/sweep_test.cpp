@@ -84,6 +84,20 @@ TEST_F(SweepOfToy, DrawsFaultsAnewForEveryDayAndSeedAndForNothingElse) {
   EXPECT_EQ(drawn(1).faults.size(), 1U);
 }
 
+TEST_F(SweepOfToy, RefusesASchedulesRuns) {
+  const Sweep sweep =
+      read(head +
+           "faults:\n  often: {schema: 1, runs: 3, faults: [{name: a, type: travel.slow, magnitude: 2,\n"
+           "    target: {pick: 1}, start: \"07:00\", duration: 1h}]}\n"
+           "variants: [{controller: ratio}]\n");
+  try {
+    scenario_of(sweep.days[0]);
+    FAIL() << "was accepted";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("leave its `runs` out"), std::string::npos) << error.what();
+  }
+}
+
 TEST_F(SweepOfToy, TakesSchedulesFromThreePlaces) {
   const Sweep sweep = read(head +
                            "faults:\n"

@@ -1,0 +1,84 @@
+// Schedules that are drawn several times.
+
+#include "tests/run/evbal/command_line.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace evbal {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A morning with a breakdown that is never the same, drawn `runs` times.
+class Draws : public ::testing::Test {
+ protected:
+  void schedule(int runs, const std::string& expect = "") const {
+    std::ofstream(line_.path() / "draws.yaml")
+        << "schema: 1\nseed: 5\nruns: " << runs << "\nfaults:\n"
+        << "  - {name: jam, type: travel.slow, target: {pick: 2}, start: {uniform: {min: \"07:00\", max: \"09:00\"}},\n"
+        << "     duration: 40min, magnitude: {uniform: {min: 1.5, max: 4}}}\n"
+        << expect;
+  }
+
+  /// The row of runs.csv that has `word`, its cells by the header's names.
+  std::map<std::string, std::string> row_with(const std::string& folder, const std::string& word) const {
+    std::istringstream lines(text_of(line_.path() / folder / "runs.csv"));
+    std::string header;
+    std::string row;
+    std::getline(lines, header);
+    while (std::getline(lines, row) && row.find(word) == std::string::npos) {
+    }
+    std::map<std::string, std::string> cells;
+    std::istringstream names(header);
+    std::istringstream values(row);
+    for (std::string name, value; std::getline(names, name, ',') && std::getline(values, value, ',');) {
+      cells[name] = value;
+    }
+    return cells;
+  }
+
+  CommandLine line_;
+};
+
+TEST_F(Draws, AreSpreadAndTheWorstCanBeRunAlone) {
+  schedule(4);
+  const Ended ended = line_.evbal("run morning.yaml --faults draws.yaml --out four");
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  EXPECT_NE(ended.out.find("nominal, 4 draws of the faults"), std::string::npos) << ended.out;
+  const std::string runs = text_of(line_.path() / "four" / "runs.csv");
+  EXPECT_EQ(std::count(runs.begin(), runs.end(), '\n'), 5) << runs;
+  const std::string spread = text_of(line_.path() / "four" / "distribution.csv");
+  EXPECT_TRUE(spread.starts_with("controller,metric,min,q1,median,q3,p90,max,mean,without\n")) << spread;
+  EXPECT_EQ(line_.summary("four/without-faults", "fleet_conserved"), "true");
+
+  const auto at = ended.out.find("worst: ") + 7;
+  const std::string worst = ended.out.substr(at, ended.out.find(',', at) - at);
+  ASSERT_EQ(line_.evbal("run four/worst.yaml --transport dds --out alone --quiet").status, 0);
+  EXPECT_EQ(line_.summary("alone", "digest"), '"' + row_with("four", worst).at("digest") + '"');
+  EXPECT_EQ(line_.summary("alone/without-faults", "digest"), line_.summary("four/without-faults", "digest"));
+}
+
+TEST_F(Draws, AreTheSameOverDds) {
+  schedule(2);
+  ASSERT_EQ(line_.evbal("run morning.yaml --faults draws.yaml --out a --quiet").status, 0);
+  const Ended over_dds = line_.evbal("run morning.yaml --faults draws.yaml --transport dds --out b --quiet");
+  ASSERT_EQ(over_dds.status, 0) << over_dds.err;
+  EXPECT_EQ(text_of(line_.path() / "b" / "runs.csv"), text_of(line_.path() / "a" / "runs.csv"));
+  EXPECT_NE(row_with("a", "draw-1").at("digest"), row_with("a", "draw-2").at("digest"));
+  EXPECT_EQ(over_dds.out, "b\n");
+}
+
+TEST_F(Draws, SayInHowManyAnExpectationFails) {
+  schedule(3, "expect:\n  - {metric: served, at_least: 9999}\n  - {metric: lost, at_most: 100000}\n");
+  const Ended ended = line_.evbal("run morning.yaml --faults draws.yaml --out a");
+  EXPECT_EQ(ended.status, 1);
+  EXPECT_NE(ended.err.find("served, expected at least 9999, fails in 3 of 3 draws"), std::string::npos) << ended.err;
+  EXPECT_EQ(ended.err.find("lost"), std::string::npos) << ended.err;
+  EXPECT_TRUE(fs::exists(line_.path() / "a" / "worst.yaml"));
+}
+
+}  // namespace
+}  // namespace evbal
