@@ -6,6 +6,7 @@ namespace evbal {
 
 ForecastFigure forecast_figure(const SeasonalModel& model, DayKind kind, int start, const Eigen::MatrixXd& counts) {
   ForecastFigure figure;
+  figure.step_minutes = model.step_minutes;
   figure.observed = counts.colwise().sum();
   figure.forecast.resize(counts.cols());
   figure.deviation.resize(counts.cols());

@@ -12,7 +12,10 @@ namespace evbal {
 /// ARIMA's prediction against history).
 struct ForecastFigure {
   std::string title;
+  std::string note;
   std::string unit;
+  int start = 0;  ///< minute after midnight at which the day starts
+  int step_minutes = 0;
   Eigen::VectorXd observed;
   Eigen::VectorXd forecast;
   Eigen::VectorXd deviation;  ///< standard deviation of the forecast's error, by the model

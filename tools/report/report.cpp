@@ -19,10 +19,21 @@ Json forecasts_json(const std::vector<ForecastFigure>& forecasts) {
   Json all = Json::array();
   for (const ForecastFigure& figure : forecasts) {
     all.push_back({{"title", figure.title},
+                   {"note", figure.note},
                    {"unit", figure.unit},
+                   {"start", figure.start},
+                   {"step_minutes", figure.step_minutes},
                    {"observed", numbers(figure.observed)},
                    {"forecast", numbers(figure.forecast)},
                    {"deviation", numbers(figure.deviation)}});
+  }
+  return all;
+}
+
+Json thresholds_json(const std::vector<FittedThresholds>& thresholds) {
+  Json all = Json::array();
+  for (const auto& [series, steps, g1, g2] : thresholds) {
+    all.push_back({{"series", series}, {"steps", steps}, {"g1", g1}, {"g2", g2}});
   }
   return all;
 }
@@ -60,14 +71,22 @@ Json content_json(const PageContent& content) {
   const auto same_city = [&](const RecordedRun& run) {
     return content.map && static_cast<std::size_t>(run.regions) == content.map->names.size();
   };
-  const bool map = std::all_of(content.runs.begin(), content.runs.end(), same_city);
-  Json json = {{"day_start", content.runs.front().day_start},
-               {"step_minutes", content.runs.front().step_minutes},
+  const bool map = !content.runs.empty() && std::all_of(content.runs.begin(), content.runs.end(), same_city);
+  Json json = {{"title", content.title},
+               {"subtitle", content.subtitle},
                {"runs", runs_json(content.runs, map)},
                {"windows", windows_json(content.runs)},
-               {"forecasts", forecasts_json(content.forecasts)}};
+               {"forecasts", forecasts_json(content.forecasts)},
+               {"thresholds", thresholds_json(content.thresholds)}};
+  if (!content.runs.empty()) {
+    json["day_start"] = content.runs.front().day_start;
+    json["step_minutes"] = content.runs.front().step_minutes;
+  }
   if (map) {
     json["map"] = map_json(*content.map);
+  }
+  if (content.sweep) {
+    json["sweep"] = sweep_json(*content.sweep);
   }
   return json;
 }

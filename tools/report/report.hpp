@@ -3,6 +3,7 @@
 #include "experiments/record/recorded_run.hpp"
 #include "tools/report/city_map.hpp"
 #include "tools/report/forecast_figure.hpp"
+#include "tools/report/sweep_json.hpp"
 
 #include <optional>
 #include <string>
@@ -10,11 +11,23 @@
 
 namespace evbal {
 
+/// Thresholds of the ambiguity set over a horizon of some steps, as the city's model has them.
+struct FittedThresholds {
+  std::string series;  ///< "demand"
+  int steps = 0;
+  double g1 = 0.0;  ///< of the squared Mahalanobis norm
+  double g2 = 0.0;
+};
+
 /// What a page shows.
 struct PageContent {
+  std::string title{};
+  std::string subtitle{};
   std::vector<RecordedRun> runs{};          ///< side by side; of the same clock
-  std::vector<ForecastFigure> forecasts{};  ///< of the first run's day
-  std::optional<CityMap> map{};             ///< of the runs' city
+  std::optional<SweepContent> sweep{};      ///< at least one of it and `runs`
+  std::vector<ForecastFigure> forecasts{};  ///< of the first run's day, or of the sweep's first
+  std::vector<FittedThresholds> thresholds{};
+  std::optional<CityMap> map{};  ///< of the runs' city
 };
 
 /// A self-contained HTML page, which needs no network (docs/reports.md). Throws Error{bad_input} if the runs have

@@ -2,8 +2,8 @@
 // A chart of lines as SVG. A chart is
 //   {x: {label, domain, clock, mark}, y: {label, fitted}, windows: [{name, from, to}],
 //    series: [{label, style, thin, bare, band, points: [{x, y, low, high, name}]}]}
-// x.clock: x are minutes after midnight; x.mark: one of them, marked; y.fitted: the axis need not start at 0; style counts colours, dashes and
-// symbols; bare: without symbols; band: from low to high, without a line unless points have y.
+// x.clock: x are minutes after midnight; x.mark: one of them, marked; y.fitted: the axis need not start at 0; style
+// counts colours, dashes and symbols; bare: without symbols; band: shown in the legend as the area from low to high.
 
 const plotHeight = 240;
 const rightMargin = 22;  // half a time of day
@@ -16,7 +16,8 @@ const symbolOf = style => d3.svg.symbol().size(42).type(symbols[(style + 2 * Mat
 function chartScales(chart, left, width, top) {
   const points = chart.series.flatMap(series => series.points);
   const heights = points.flatMap(point => [point.y, point.low, point.high]).filter(Number.isFinite);
-  const x = d3.scale.linear().domain(chart.x.domain ?? d3.extent(points, point => point.x)).range([left, width - rightMargin]);
+  const x = d3.scale.linear().domain(chart.x.domain ?? d3.extent(points, point => point.x))
+    .range([left, width - rightMargin]);
   const y = d3.scale.linear().domain(d3.extent(chart.y.fitted ? heights : [0, ...heights]))
     .range([top + plotHeight, top]).nice(6);
   return {x: chart.x.domain ? x : x.nice(), y};
@@ -35,7 +36,8 @@ function drawAxes(svg, chart, scales, left, width) {
   const y = d3.svg.axis().scale(scales.y).orient("left").ticks(6).tickSize(left - width + rightMargin).tickPadding(8);
   svg.append("g").attr("class", "axis").attr("transform", "translate(0," + bottom + ")").call(x);
   svg.append("g").attr("class", "axis").attr("transform", "translate(" + left + ",0)").call(y);
-  svg.append("text").attr({x: (left + width - rightMargin) / 2, y: bottom + 38, "text-anchor": "middle"}).text(chart.x.label);
+  svg.append("text").attr({x: (left + width - rightMargin) / 2, y: bottom + 38, "text-anchor": "middle"})
+    .text(chart.x.label);
   svg.append("text").attr({transform: "translate(14," + (bottom + top) / 2 + ") rotate(-90)", "text-anchor": "middle"})
     .text(chart.y.label);
 }

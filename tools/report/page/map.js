@@ -34,7 +34,8 @@ function topOf({name, per}) {
 
 // Viridis, which rises evenly in lightness, by the square root, so that small values are told apart too.
 const viridis = ["#440154", "#414487", "#2a788e", "#22a884", "#7ad151", "#fde725"];
-const shade = d3.scale.linear().domain(d3.range(6).map(i => i / 5)).range(viridis).interpolate(d3.interpolateLab).clamp(true);
+const shade = d3.scale.linear().domain(d3.range(6).map(i => i / 5)).range(viridis).interpolate(d3.interpolateLab)
+  .clamp(true);
 
 const fillOf = (value, top) => top === 0 ? (value > 0 ? colourOf(1) : "var(--grid)") : shade(Math.sqrt(value / top));
 
@@ -136,14 +137,6 @@ function fillRegionTable(place) {
 
 let look;  // changes the view: look({step: 3})
 
-// A choice among `options`, [{label}].
-function choice(name, options, chosen) {
-  const select = element("select", "", ...options.map(option => element("option", "", option.label)));
-  select.setAttribute("aria-label", name);
-  select.addEventListener("change", () => chosen(options[select.selectedIndex]));
-  return select;
-}
-
 function stepSlider() {
   const slider = element("input", "");
   Object.assign(slider, {type: "range", min: 0, max: stepNames().length - 1, value: 0});
@@ -183,8 +176,8 @@ function addMap() {
     element("div", "controls", slider, time, faults)];
   const now = element("div", "wide");
   let paint;
-  const map = drawing("Map", "Colours are the same all day and for every run. Click a region, or move among them by the arrow keys; " +
-    "double-click to come closer, with the shift key to go back, and drag.",
+  const map = drawing("Map", "Colours are the same all day and for every run. Click a region, or move among them by the " +
+    "arrow keys; double-click to come closer, with the shift key to go back, and drag.",
     (frame, width) => { paint = drawMap(frame, width); paint(); }, mapRows, ...controls);
   const day = figure("Day of the region", "Of the region that is chosen on the map; the faults that act on it are shaded.",
     regionChart, now);

@@ -1,8 +1,15 @@
 "use strict";
 // Puts the page together from what the data holds.
 
-const title = report.runs[0].scenario;
-document.title = title + ", " + report.runs[0].date;
-document.getElementById("title").textContent = title;
-document.getElementById("subtitle").textContent = "What the controllers made of it; faults in their windows are shaded.";
-addRuns();
+document.title = report.title;
+document.getElementById("title").textContent = report.title;
+document.getElementById("subtitle").textContent = report.subtitle;
+if (report.sweep) {
+  addSweep();
+}
+if (report.runs.length > 0) {
+  addRuns();
+}
+if (report.forecasts.length > 0) {
+  addForecasts();
+}

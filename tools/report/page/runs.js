@@ -1,5 +1,5 @@
 "use strict";
-// Runs side by side: their totals, their days hour by hour, what was forecast of the first one's.
+// Runs side by side: their totals, their days hour by hour.
 
 const dayStart = report.day_start === undefined ? 0 : minuteOf(report.day_start);
 
@@ -22,7 +22,8 @@ const ofHour = (day, column, hour) => sum(hour.steps.map(step => day.steps[colum
 const hourly = [
   {title: "Idle distance", note: "Driven without a passenger to rebalance or to charge, low-battery cars weighted by beta.",
    axis: "km per hour", value: (day, hour) => ofHour(day, "idle_km", hour)},
-  {title: "Unfairness of the supply-demand ratio", note: "Sum over regions of the distance from the city's ratio; lower is fairer.",
+  {title: "Unfairness of the supply-demand ratio",
+   note: "Sum over regions of the distance from the city's ratio; lower is fairer.",
    axis: "sum of |difference|", value: (day, hour) => ofHour(day, "unfairness_demand", hour)},
   {title: "Unfairness of utilisation", note: "The same for charged cars over cars that need a charger, regions with points.",
    axis: "sum of |difference|", value: (day, hour) => ofHour(day, "unfairness_charging", hour)},
@@ -42,10 +43,13 @@ const totals = [
   {name: "Served passengers", digits: 0, better: 1, value: run => run.totals.served},
   {name: "Lost passengers", digits: 0, better: -1, value: run => run.totals.lost},
   {name: "Lost share of passengers", unit: "%", digits: 1, better: -1, value: run => 100 * run.totals.unserved_ratio},
-  {name: "Lost share, worst tenth of regions", unit: "%", digits: 1, better: -1, value: run => 100 * run.totals.p90_regional_loss},
+  {name: "Lost share, worst tenth of regions", unit: "%", digits: 1, better: -1,
+   value: run => 100 * run.totals.p90_regional_loss},
   {name: "Passenger's wait", unit: "min", digits: 1, better: -1, value: run => run.totals.passenger_wait_min},
-  {name: "Charger wait per session", unit: "min", digits: 1, better: -1, value: run => run.totals.charger_wait_min_per_session},
-  {name: "Idle distance per served passenger", unit: "km", digits: 2, better: -1, value: run => run.totals.idle_km_per_served},
+  {name: "Charger wait per session", unit: "min", digits: 1, better: -1,
+   value: run => run.totals.charger_wait_min_per_session},
+  {name: "Idle distance per served passenger", unit: "km", digits: 2, better: -1,
+   value: run => run.totals.idle_km_per_served},
   {name: "Stranded cars", digits: 0, better: -1, value: run => run.totals.stranded},
   {name: "Energy charged", unit: "kWh", digits: 0, better: 0, value: run => run.totals.charged_kwh},
   {name: "Plans that fell back", digits: 0, better: 0, value: run => run.fallbacks},
@@ -92,17 +96,6 @@ function hourlyChart({axis, value}) {
     series: report.runs.map((run, i) => ({label: run.label, style: i, points: points(run)}))};
 }
 
-// What a day brought, step by step, over what was forecast of it and twice the standard deviation around that.
-function forecastChart({unit, observed, forecast, deviation}) {
-  const points = more => observed.map((_, step) => ({x: dayStart + (step + 0.5) * report.step_minutes, ...more(step)}));
-  return {x: dayAxis(), y: {label: unit}, windows: windows(), series: [
-    {label: "± 2 standard deviations", style: 1, band: true, bare: true, points: points(step => (
-      {low: Math.max(0, forecast[step] - 2 * deviation[step]), high: forecast[step] + 2 * deviation[step]}))},
-    {label: "real", style: 0, points: points(step => ({y: observed[step]}))},
-    {label: "forecast one step before", style: 1, bare: true, points: points(step => ({y: forecast[step]}))},
-  ]};
-}
-
 function runNotes() {
   const code = text => element("code", "", text);
   return element("div", "notes", ...report.runs.map(run => element("div", "",
@@ -120,8 +113,4 @@ function addRuns() {
     addMap();
   }
   section("Hour by hour", figures(hourly.map(one => figure(one.title, one.note, () => hourlyChart(one)))));
-  if (report.forecasts.length > 0) {
-    section("Forecast", figures(report.forecasts.map(one => figure(one.title,
-      "The whole city, " + first.label + "; faults are in what came, not in the forecast.", () => forecastChart(one)))));
-  }
 }

@@ -54,7 +54,15 @@ function download(label, file, type, make) {
   return link;
 }
 
-// Text beside the pointer, or beside `place`.
+// A choice among `options`, [{label}].
+function choice(name, options, chosen) {
+  const select = element("select", "", ...options.map(option => element("option", "", option.label)));
+  select.setAttribute("aria-label", name);
+  select.addEventListener("change", () => chosen(options[select.selectedIndex]));
+  return select;
+}
+
+// Text beside a place of the window, such as the pointer's.
 function showTip(text, x, y) {
   const tip = document.getElementById("tip");
   tip.textContent = text;

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "experiments/record/recorded_run.hpp"
+#include "tools/report/report.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace evbal {
+
+/// The page on these runs (at least one), with what their city and its model add, if they are still there: a run
+/// outlives them.
+PageContent content_on(const std::vector<RecordedRun>& runs);
+
+/// The page on the finished sweep in `folder`, whose variants are compared with those named by `against` (none: the
+/// sweep's first), and on `runs`. Throws Error{bad_input} if the sweep is not finished or a name is unknown.
+PageContent content_on(const std::filesystem::path& folder, const std::vector<std::string>& against,
+                       const std::vector<RecordedRun>& runs);
+
+}  // namespace evbal

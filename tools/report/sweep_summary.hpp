@@ -1,0 +1,44 @@
+#pragma once
+
+#include "experiments/metrics/intervals.hpp"
+#include "experiments/sweep/comparison.hpp"
+#include "experiments/sweep/finished_steps.hpp"
+#include "experiments/sweep/sweep_file.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+/// What a page shows of a finished sweep.
+namespace evbal {
+
+/// A metric in an hour of the day.
+struct HourMean {
+  int hour = 0;
+  Interval interval{};  ///< by Student's t, over days
+};
+
+/// One setting of a variant under one schedule of faults.
+struct SweptPoint {
+  FinishedDay first;                                     ///< of its days
+  int pairs = 0;                                         ///< (day, seed)
+  std::map<std::string, double> means{};                 ///< of the totals: over days, of a day's mean over its seeds
+  std::map<std::string, std::vector<HourMean>> hours{};  ///< of the columns of the steps
+};
+
+/// The points in the order of the sweep. `steps` are those of `days`.
+std::vector<SweptPoint> swept_points(const std::vector<FinishedDay>& days, const std::vector<FinishedSteps>& steps);
+
+/// A question, and its answer or why there is none.
+struct Answer {
+  Question question;
+  std::vector<Compared> rows{};
+  std::string refused{};
+};
+
+/// What is asked about each of the `references`: lost passengers, both kinds of unfairness, charger wait and idle km;
+/// if the reference has several settings at equal idle km, and idle km at equally many lost passengers. Each for the
+/// whole day and, where the totals know it, from 07:00 on. Throws Error{bad_input} if a reference is no variant.
+std::vector<Answer> answers(const std::vector<FinishedDay>& days, const std::vector<std::string>& references);
+
+}  // namespace evbal
