@@ -2,9 +2,12 @@
 
 #include "common/error.hpp"
 #include "coordinator/planning/city_model.hpp"
+#include "experiments/record/paired_run.hpp"
 #include "experiments/scenario/scenario.hpp"
 
+#include <algorithm>
 #include <functional>
+#include <iterator>
 
 namespace evbal {
 namespace {
@@ -86,8 +89,17 @@ std::vector<FittedThresholds> thresholds_of(const CityModel& model) {
   return all;
 }
 
+/// The run, and the one without faults beside it.
+ReportedRun reported(const RecordedRun& run) {
+  ReportedRun reported{run};
+  if (fs::exists(twin_folder(run.folder) / "summary.json")) {
+    reported.without_faults = read_run(twin_folder(run.folder));
+  }
+  return reported;
+}
+
 void add_runs(const std::vector<RecordedRun>& runs, PageContent& content) {
-  content.runs = runs;
+  std::transform(runs.begin(), runs.end(), std::back_inserter(content.runs), reported);
   if_any([&] {
     const Scenario scenario = read_scenario(runs.front().folder / "scenario.resolved.yaml");
     content.map = city_map(scenario.world.city.regions);

@@ -7,8 +7,8 @@
 namespace evbal {
 namespace {
 
-RecordedRun small_run(const std::string& controller) {
-  RecordedRun run;
+ReportedRun small_run(const std::string& controller) {
+  ReportedRun run;
   run.folder = "runs/" + controller;
   run.scenario = "small </script>";
   run.date = "2008-06-03";

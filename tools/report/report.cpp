@@ -2,7 +2,6 @@
 
 #include "common/error.hpp"
 #include "tools/report/assets.hpp"
-#include "tools/report/runs_json.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -57,7 +56,7 @@ Json map_json(const CityMap& map) {
   return {{"names", map.names}, {"outlines", outlines}};
 }
 
-void check_clocks(const std::vector<RecordedRun>& runs) {
+void check_clocks(const std::vector<ReportedRun>& runs) {
   for (const auto& run : runs) {
     if (run.step_minutes != runs.front().step_minutes || run.day_start != runs.front().day_start ||
         run.steps.at("step").size() != runs.front().steps.at("step").size()) {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "experiments/record/recorded_run.hpp"
 #include "tools/report/city_map.hpp"
 #include "tools/report/forecast_figure.hpp"
+#include "tools/report/runs_json.hpp"
 #include "tools/report/sweep_json.hpp"
 
 #include <optional>
@@ -23,7 +23,7 @@ struct FittedThresholds {
 struct PageContent {
   std::string title{};
   std::string subtitle{};
-  std::vector<RecordedRun> runs{};          ///< side by side; of the same clock
+  std::vector<ReportedRun> runs{};          ///< side by side; of the same clock
   std::optional<SweepContent> sweep{};      ///< at least one of it and `runs`
   std::vector<ForecastFigure> forecasts{};  ///< of the first run's day, or of the sweep's first
   std::vector<FittedThresholds> thresholds{};

@@ -1,5 +1,7 @@
 #include "tools/report/runs_json.hpp"
 
+#include "experiments/record/paired_run.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -13,7 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// The controller's name, with the directory's where two runs have the same.
-std::vector<std::string> labels_of(const std::vector<RecordedRun>& runs) {
+std::vector<std::string> labels_of(const std::vector<ReportedRun>& runs) {
   std::vector<std::string> labels;
   for (const auto& run : runs) {
     const auto alike =
@@ -72,7 +74,26 @@ Json fault_json(const RecordedRun& run, const RecordedFault& fault) {
   return json;
 }
 
-Json run_json(const RecordedRun& run, const std::string& label) {
+Json minutes_json(const std::optional<int>& minutes) {
+  return minutes ? Json(*minutes) : Json(nullptr);
+}
+
+/// What the faults cost, metric by metric.
+Json costs_json(const RecordedRun& run, const RecordedRun& twin) {
+  Json costs = Json::array();
+  for (const auto& [metric, cost] : costs_of(run, twin)) {
+    Json json = {{"metric", metric},         {"with", cost.with}, {"without", cost.without},
+                 {"cost", cost.cost()},      {"area", cost.area}, {"recovered", minutes_json(cost.recovered)},
+                 {"by_fault", Json::array()}};
+    for (const auto& minutes : cost.by_fault) {
+      json["by_fault"].push_back(minutes_json(minutes));
+    }
+    costs.push_back(json);
+  }
+  return costs;
+}
+
+Json run_json(const ReportedRun& run, const std::string& label) {
   Json json = {{"label", label},
                {"controller", run.controller},
                {"folder", run.folder.string()},
@@ -93,12 +114,16 @@ Json run_json(const RecordedRun& run, const std::string& label) {
   for (const auto& fault : run.faults) {
     json["faults"].push_back(fault_json(run, fault));
   }
+  if (run.without_faults) {
+    json["without_faults"] = {{"steps", run.without_faults->steps}};
+    json["costs"] = costs_json(run, *run.without_faults);
+  }
   return json;
 }
 
 }  // namespace
 
-Json runs_json(const std::vector<RecordedRun>& runs, bool map) {
+Json runs_json(const std::vector<ReportedRun>& runs, bool map) {
   const auto labels = labels_of(runs);
   Json all = Json::array();
   for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -110,7 +135,7 @@ Json runs_json(const std::vector<RecordedRun>& runs, bool map) {
   return all;
 }
 
-Json windows_json(const std::vector<RecordedRun>& runs) {
+Json windows_json(const std::vector<ReportedRun>& runs) {
   Json windows = Json::array();
   std::set<std::string> seen;
   for (const auto& run : runs) {

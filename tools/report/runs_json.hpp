@@ -4,14 +4,20 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <optional>
 #include <vector>
 
 namespace evbal {
 
+/// A run with the same day without faults beside it, if there is one.
+struct ReportedRun : RecordedRun {
+  std::optional<RecordedRun> without_faults{};
+};
+
 /// The runs as the page reads them. With `map`, region by region too.
-nlohmann::ordered_json runs_json(const std::vector<RecordedRun>& runs, bool map);
+nlohmann::ordered_json runs_json(const std::vector<ReportedRun>& runs, bool map);
 
 /// The windows of all runs' faults, each once.
-nlohmann::ordered_json windows_json(const std::vector<RecordedRun>& runs);
+nlohmann::ordered_json windows_json(const std::vector<ReportedRun>& runs);
 
 }  // namespace evbal

@@ -3,14 +3,14 @@
 //   {x: {label, domain, clock, mark}, y: {label, fitted}, windows: [{name, from, to}],
 //    series: [{label, style, thin, bare, band, points: [{x, y, low, high, name}]}]}
 // x.clock: x are minutes after midnight; x.mark: one of them, marked; y.fitted: the axis need not start at 0; style
-// counts colours, dashes and symbols; bare: without symbols; band: shown in the legend as the area from low to high.
+// counts colours, dashes and symbols; thin: a dotted line; bare: without symbols; band: shown in the legend as the area from low to high.
 
 const plotHeight = 240;
 const rightMargin = 22;  // half a time of day
 const dashes = ["none", "7 4", "2 3", "10 3 2 3", "4 4", "1 2"];
 const symbols = ["circle", "square", "triangle-up", "diamond", "cross", "triangle-down"];
 const colourOf = style => "var(--series-" + style % 6 + ")";
-const dashOf = style => dashes[(style + Math.floor(style / 6)) % 6];
+const dashOf = ({style, thin}) => thin ? "1 3" : dashes[(style + Math.floor(style / 6)) % 6];
 const symbolOf = style => d3.svg.symbol().size(42).type(symbols[(style + 2 * Math.floor(style / 6)) % 6])();
 
 function chartScales(chart, left, width, top) {
@@ -82,7 +82,7 @@ function drawSeries(svg, series, scales) {
   }
   const points = series.points.filter(point => Number.isFinite(point.y));
   svg.append("path").attr("class", series.thin ? "line thin" : "line")
-    .style({stroke: colour, "stroke-dasharray": dashOf(series.style)})
+    .style({stroke: colour, "stroke-dasharray": dashOf(series)})
     .attr("d", d3.svg.line().x(point => scales.x(point.x)).y(point => scales.y(point.y))(points));
   if (!series.bare) {
     svg.selectAll(".mark").data(points).enter().append("path").style("fill", colour).attr("d", symbolOf(series.style))
@@ -108,7 +108,7 @@ function drawLegend(svg, chart, left, width, top) {
       return;
     }
     legend.append("path").attr({class: thin ? "line thin" : "line", d: "M" + x + "," + (y - 4) + "h32"})
-      .style({stroke: colourOf(style), "stroke-dasharray": dashOf(style)});
+      .style({stroke: colourOf(style), "stroke-dasharray": dashOf(labelled[i])});
     if (!bare) {
       legend.append("path").attr({d: symbolOf(style), transform: "translate(" + (x + 16) + "," + (y - 4) + ")"})
         .style("fill", colourOf(style));

@@ -93,7 +93,11 @@ function hourlyChart({axis, value}) {
   const points = day => hours().map(hour => ({x: (hour.from + hour.to) / 2, y: value(day, hour),
     name: clock(hour.from) + " – " + clock(hour.to)}));
   return {x: dayAxis(), y: {label: axis}, windows: windows(),
-    series: report.runs.map((run, i) => ({label: run.label, style: i, points: points(run)}))};
+    series: report.runs.flatMap((run, i) => [
+      {label: run.label, style: i, points: points(run)},
+      ...(run.without_faults ? [{label: run.label + " without faults", style: i, thin: true, bare: true,
+        points: points(run.without_faults)}] : []),
+    ])};
 }
 
 function runNotes() {
@@ -109,6 +113,9 @@ function addRuns() {
     {weekday: "long", day: "numeric", month: "long", year: "numeric"});
   const words = number(first.regions) + " regions, " + number(first.fleet) + " vehicles, seed " + first.seed + ".";
   section(weekday, element("p", "", words), element("div", "card wide", totalsTable()), runNotes());
+  if (report.windows.length > 0) {
+    addFaults();
+  }
   if (report.map) {
     addMap();
   }
