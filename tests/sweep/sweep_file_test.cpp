@@ -84,9 +84,9 @@ TEST_F(SweepFileOf3, GivesStepsBack) {
   add_result(file_, "k2", {}, small_result(1));
   const auto days = read_finished_steps(file_, {"idle_km", "lost"});
   ASSERT_EQ(days.size(), 3U);
-  EXPECT_EQ(days[2].starts, (std::vector<std::string>{"05:00", "05:30"}));
-  EXPECT_EQ(days[2].columns.at("lost"), (std::vector<double>{0.0, 3.0}));
-  EXPECT_EQ(days[1].columns.at("lost"), (std::vector<double>{0.0, 0.0}));
+  EXPECT_EQ(days[2].starts, (std::vector<std::string>{"05:00", "05:30", "07:00"}));
+  EXPECT_EQ(days[2].columns.at("lost"), (std::vector<double>{0.0, 3.0, 0.0}));
+  EXPECT_EQ(days[1].columns.at("lost"), (std::vector<double>{0.0, 0.0, 0.0}));
   EXPECT_THROW(read_finished_steps(file_, {"luck"}), Error);
 }
 
