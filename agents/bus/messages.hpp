@@ -1,6 +1,6 @@
 #pragma once
 
-#include "agents/protocol/messages.hpp"
+#include "agents/protocol/fields.hpp"
 
 #include <string>
 
@@ -11,5 +11,11 @@ struct Hello {
   std::string name;  ///< as the conductor started it: "agent-0", "coordinator", "faults"
   std::int64_t process_id = 0;
 };
+
+template <class Visit>
+void fields(Visit&& visit, Is<Hello> auto& m) {
+  visit("name", m.name);
+  visit("process_id", m.process_id);
+}
 
 }  // namespace evbal

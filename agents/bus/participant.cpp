@@ -1,5 +1,6 @@
 #include "agents/bus/participant.hpp"
 
+#include "agents/bus/cdr_walk.hpp"
 #include "agents/bus/wire.hpp"
 #include "common/error.hpp"
 
@@ -14,6 +15,10 @@
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastrtps/utils/IPLocator.h>
 
+#include <cstring>
+#include <string_view>
+#include <utility>
+
 namespace evbal {
 namespace {
 
@@ -25,7 +30,8 @@ constexpr std::uint32_t socket_buffer = 4 * 1024 * 1024;
 constexpr int kept_samples = 16;         // of reports and departures, for readers that are a little behind
 constexpr int unread_samples = 1 << 14;  // that a reader of many writers holds at most
 
-// Topic of each message; `latest` is a topic of one writer of which only the newest sample matters.
+// Topic of each message, and the participants who have a say there; `latest` is a topic of one writer of which only the
+// newest sample matters.
 template <class Message>
 struct Topic;
 
@@ -35,6 +41,7 @@ struct Topic<Hello> {
   using Wire = wire::Hello;
   static constexpr auto name = "evbal/hello";
   static constexpr bool latest = false;
+  static constexpr bool has_say(int from) { return from != BusAddress::conductor; }
 };
 
 template <>
@@ -43,6 +50,7 @@ struct Topic<Faults> {
   using Wire = wire::Faults;
   static constexpr auto name = "evbal/faults";
   static constexpr bool latest = false;
+  static constexpr bool has_say(int from) { return from == BusAddress::injector; }
 };
 
 template <>
@@ -51,6 +59,7 @@ struct Topic<Tick> {
   using Wire = wire::Tick;
   static constexpr auto name = "evbal/tick";
   static constexpr bool latest = true;
+  static constexpr bool has_say(int from) { return from == BusAddress::conductor; }
 };
 
 template <>
@@ -59,6 +68,7 @@ struct Topic<std::vector<Report>> {
   using Wire = wire::Reports;
   static constexpr auto name = "evbal/reports";
   static constexpr bool latest = false;
+  static constexpr bool has_say(int from) { return from >= BusAddress::first_agent; }
 };
 
 template <>
@@ -67,6 +77,7 @@ struct Topic<Plan> {
   using Wire = wire::Plan;
   static constexpr auto name = "evbal/plan";
   static constexpr bool latest = true;
+  static constexpr bool has_say(int from) { return from == BusAddress::coordinator; }
 };
 
 template <>
@@ -75,7 +86,30 @@ struct Topic<std::vector<Departures>> {
   using Wire = wire::Departures;
   static constexpr auto name = "evbal/departures";
   static constexpr bool latest = false;
+  static constexpr bool has_say(int from) { return from >= BusAddress::first_agent; }
 };
+
+/// The type of a topic, but that bytes which are no message become one of no run: a reader of garbage must neither end
+/// nor ask for memory that no message needs.
+template <class Message>
+class GuardedType : public Topic<Message>::Type {
+ public:
+  bool deserialize(rtps::SerializedPayload_t* payload, void* data) override {
+    const std::string_view bytes(reinterpret_cast<const char*>(payload->data), payload->length);
+    if (!is_whole<Message>(bytes) || !Topic<Message>::Type::deserialize(payload, data)) {
+      *static_cast<typename Topic<Message>::Wire*>(data) = {};
+    }
+    return true;
+  }
+};
+
+/// The number of the participant that wrote a sample. Fast DDS keeps it in the last four bytes of a GUID's prefix.
+int number_of_writer(const dds::SampleInfo& info) {
+  const auto& prefix = info.sample_identity.writer_guid().guidPrefix.value;
+  std::int32_t number = 0;
+  std::memcpy(&number, prefix + 8, sizeof number);
+  return number;
+}
 
 template <class Entity>
 Entity* made(Entity* entity, const std::string& what) {
@@ -157,7 +191,10 @@ struct Participant::Entities {
 
   template <class Message>
   dds::Topic* topic() const {
-    const dds::TypeSupport type(new typename Topic<Message>::Type);
+    if (auto* known = participant->lookup_topicdescription(Topic<Message>::name); known != nullptr) {
+      return dynamic_cast<dds::Topic*>(known);
+    }
+    const dds::TypeSupport type(new GuardedType<Message>);
     type.register_type(participant);
     return made(participant->create_topic(Topic<Message>::name, type.get_type_name(), dds::TOPIC_QOS_DEFAULT),
                 std::string("topic ") + Topic<Message>::name);
@@ -165,7 +202,7 @@ struct Participant::Entities {
 };
 
 Participant::Participant(const BusAddress& address, const std::string& name)
-    : run_(address.run), entities_(std::make_unique<Entities>()) {
+    : address_(address), entities_(std::make_unique<Entities>()) {
   auto* factory = dds::DomainParticipantFactory::get_instance();
   factory->load_profiles();
   dds::DomainParticipantQos qos = factory->get_default_participant_qos();
@@ -183,7 +220,7 @@ Participant::Participant(const BusAddress& address, const std::string& name)
 Participant::~Participant() = default;
 
 template <class Message>
-Writer<Message>::Writer(Participant& participant) : run_(participant.run()) {
+Writer<Message>::Writer(Participant& participant) : run_(participant.address().run) {
   auto& entities = *participant.entities_;
   dds::DataWriterQos qos = entities.publisher->get_default_datawriter_qos();
   set_delivery(qos, Topic<Message>::latest, kept_samples);
@@ -209,16 +246,15 @@ int Writer<Message>::readers() const {
 }
 
 template <class Message>
-Reader<Message>::Reader(Participant& participant) : run_(participant.run()) {
+Reader<Message>::Reader(Participant& participant) : address_(participant.address()) {
   auto& entities = *participant.entities_;
   dds::DataReaderQos qos = entities.subscriber->get_default_datareader_qos();
   set_delivery(qos, Topic<Message>::latest, kept_samples);
-  if (!Topic<Message>::latest) {
-    qos.history().kind = dds::KEEP_ALL_HISTORY_QOS;
-    qos.resource_limits().max_samples = unread_samples;
-    qos.resource_limits().max_instances = 1;
-    qos.resource_limits().max_samples_per_instance = unread_samples;
-  }
+  // Also of a topic of one writer: a stranger's samples would push out the writer's own.
+  qos.history().kind = dds::KEEP_ALL_HISTORY_QOS;
+  qos.resource_limits().max_samples = unread_samples;
+  qos.resource_limits().max_instances = 1;
+  qos.resource_limits().max_samples_per_instance = unread_samples;
   reader_ = made(entities.subscriber->create_datareader(entities.topic<Message>(), qos),
                  std::string("a reader of ") + Topic<Message>::name);
 }
@@ -229,16 +265,36 @@ void Reader<Message>::wait(std::chrono::milliseconds at_most) const {
 }
 
 template <class Message>
-std::vector<Message> Reader<Message>::take() {
-  std::vector<Message> messages;
+std::vector<Heard<Message>> Reader<Message>::take() {
+  std::vector<Heard<Message>> heard;
   typename Topic<Message>::Wire sample;
   dds::SampleInfo info;
   while (reader_->take_next_sample(&sample, &info) == eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK) {
-    if (info.valid_data && sample.run() == run_) {
-      messages.push_back(from_wire(sample));
+    if (!info.valid_data) {
+      continue;
+    }
+    const int from = number_of_writer(info);
+    const std::string what = std::string(Topic<Message>::name) + " from participant " + std::to_string(from);
+    if (from < 0 || from >= address_.participants || !Topic<Message>::has_say(from)) {
+      ++refused_[what + ", who has no say there"];
+    } else if (sample.run().empty()) {
+      throw run_failed("a sample of " + what + " is no message");
+    } else if (sample.run() != address_.run) {
+      ++refused_[what + ", of another run"];
+    } else {
+      try {
+        heard.push_back({from, from_wire(sample)});
+      } catch (const Error& error) {
+        throw run_failed(what + ": " + error.what());
+      }
     }
   }
-  return messages;
+  return heard;
+}
+
+template <class Message>
+std::map<std::string, int> Reader<Message>::refused() {
+  return std::exchange(refused_, {});
 }
 
 template <class Message>

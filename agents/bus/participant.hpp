@@ -3,6 +3,7 @@
 #include "agents/bus/messages.hpp"
 
 #include <chrono>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -39,7 +40,7 @@ class Participant {
   Participant(const Participant&) = delete;
   Participant& operator=(const Participant&) = delete;
 
-  const std::string& run() const { return run_; }
+  const BusAddress& address() const { return address_; }
 
  private:
   template <class Message>
@@ -48,7 +49,7 @@ class Participant {
   friend class Reader;
   struct Entities;
 
-  std::string run_;
+  BusAddress address_;
   std::unique_ptr<Entities> entities_;
 };
 
@@ -69,13 +70,26 @@ class Writer {
   eprosima::fastdds::dds::DataWriter* writer_;
 };
 
+/// A message and the number of the participant that wrote it.
+template <class Message>
+struct Heard {
+  int from = 0;
+  Message message;
+};
+
+/// Believes those who have a say on its topic, by the participant's number, and refuses everybody else, whatever they
+/// say.
 template <class Message>
 class Reader {
  public:
   explicit Reader(Participant& participant);
 
-  /// All that has come since the last call, in the order of each writer.
-  std::vector<Message> take();
+  /// All that has come since the last call, in the order of each writer. Throws Error{run_failed} if one who has a say
+  /// wrote what is no message.
+  std::vector<Heard<Message>> take();
+
+  /// What take() has refused since the last call, in a few words, and how often.
+  std::map<std::string, int> refused();
 
   /// Sleeps until there is something to take or the time is up.
   void wait(std::chrono::milliseconds at_most) const;
@@ -84,8 +98,9 @@ class Reader {
   int writers() const;
 
  private:
-  std::string run_;
+  BusAddress address_;
   eprosima::fastdds::dds::DataReader* reader_;
+  std::map<std::string, int> refused_;
 };
 
 /// UDP port for discovery traffic of a participant (RTPS 2.2, section 9.6.1.1); the next one carries its data.

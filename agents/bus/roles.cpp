@@ -94,8 +94,8 @@ template <class Concerns>
 Tick next_tick(Reader<Tick>& ticks, int last, Concerns concerns) {
   for (;;) {
     auto come = ticks.take();
-    if (!come.empty() && come.back().tick > last && concerns(come.back())) {
-      return std::move(come.back());
+    if (!come.empty() && come.back().message.tick > last && concerns(come.back().message)) {
+      return std::move(come.back().message);
     }
     ticks.wait(nap);
   }
@@ -104,8 +104,8 @@ Tick next_tick(Reader<Tick>& ticks, int last, Concerns concerns) {
 Plan plan_of(Reader<Plan>& plans, int tick) {
   for (;;) {
     auto come = plans.take();
-    if (!come.empty() && come.back().tick == tick) {
-      return std::move(come.back());
+    if (!come.empty() && come.back().message.tick == tick) {
+      return std::move(come.back().message);
     }
     plans.wait(nap);
   }
@@ -116,7 +116,7 @@ std::vector<Report> reports_of(Reader<std::vector<Report>>& reader, const Tick& 
   const auto missing = [&](int region) { return !found.contains(region) && !contains(tick.unheard, region); };
   while (std::any_of(tick.due.begin(), tick.due.end(), missing)) {
     for (auto& batch : reader.take()) {
-      for (auto& report : batch) {
+      for (auto& report : batch.message) {
         if (report.tick == tick.tick && missing(report.region)) {
           found.emplace(report.region, std::move(report));
         }

@@ -40,15 +40,29 @@ std::string listed(const std::set<std::string>& names) {
   return text;
 }
 
+/// As the run's processes are called.
+std::string name_of(int participant) {
+  return participant == BusAddress::coordinator ? "coordinator"
+         : participant == BusAddress::injector  ? "faults"
+                                                : "agent-" + std::to_string(participant - BusAddress::first_agent);
+}
+
 /// The messages of one tick as they come in, one for each region that is due.
 template <class Message>
 class Collected {
  public:
   Collected(int tick, const std::vector<int>& due) : tick_(tick), missing_(due.begin(), due.end()) {}
 
-  void add(std::vector<std::vector<Message>> batches) {
-    for (auto& batch : batches) {
+  /// Messages of other ticks are left out: who was killed says again what it last said. Throws Error{run_failed} if one
+  /// is of no tick up to `newest`, or of a region that `is_of` does not give to whom it is from.
+  void add(std::vector<Heard<std::vector<Message>>> batches, int newest,
+           const std::function<bool(int region, int from)>& is_of) {
+    for (auto& [from, batch] : batches) {
       for (auto& message : batch) {
+        if (message.tick < 0 || message.tick > newest || !is_of(message.region, from)) {
+          throw run_failed(name_of(from) + " speaks of tick " + std::to_string(message.tick) + ", region " +
+                           std::to_string(message.region) + " in tick " + std::to_string(tick_));
+        }
         if (message.tick == tick_ && missing_.erase(message.region) > 0) {
           found_.emplace(message.region, std::move(message));
         }
@@ -89,6 +103,7 @@ struct DdsPlayers::Topics {
       : hello(participant),
         faults(participant),
         tick(participant),
+        ticks(participant),
         reports(participant),
         plan(participant),
         departures(participant) {}
@@ -96,9 +111,19 @@ struct DdsPlayers::Topics {
   Reader<Hello> hello;
   Reader<Faults> faults;
   Writer<Tick> tick;
+  Reader<Tick> ticks;  ///< for what others write there
   Reader<std::vector<Report>> reports;
   Reader<Plan> plan;
   Reader<std::vector<Departures>> departures;
+
+  /// What was refused on any topic since the last call.
+  std::map<std::string, int> refused() {
+    ticks.take();
+    std::map<std::string, int> all;
+    const auto gather = [&](auto&... readers) { (all.merge(readers.refused()), ...); };
+    gather(hello, faults, ticks, reports, plan, departures);
+    return all;
+  }
 };
 
 DdsPlayers::DdsPlayers(const DdsRun& run)
@@ -172,7 +197,10 @@ void DdsPlayers::look_after_processes() {
     absent_.insert(death.process);
     deaths_[death.process] = Clock::now();
   }
-  for (const auto& hello : topics_->hello.take()) {
+  for (const auto& [from, hello] : topics_->hello.take()) {
+    if (hello.name != name_of(from)) {
+      throw run_failed(name_of(from) + " calls itself `" + hello.name + "`");
+    }
     if (hello.process_id == supervisor_.process_id(hello.name) && absent_.erase(hello.name) > 0 &&
         deaths_.contains(hello.name)) {
       const double seconds = std::chrono::duration<double>(Clock::now() - deaths_[hello.name]).count();
@@ -211,7 +239,7 @@ void DdsPlayers::bring_back(const std::string& name, Absence how) {
 Faults DdsPlayers::faults(int tick) {
   std::optional<Faults> found;
   await("faults of tick " + std::to_string(tick), topics_->faults, [&]() -> std::set<std::string> {
-    for (auto& faults : topics_->faults.take()) {
+    for (auto& [from, faults] : topics_->faults.take()) {
       if (faults.tick == tick) {
         found = std::move(faults);
       }
@@ -230,17 +258,21 @@ Exchange DdsPlayers::play(const Tick& tick) {
     }
     return names;
   };
+  const auto is_of = [&](int region, int from) {
+    return region >= 0 && region < run_.regions && name_of(from) == host_of(region);
+  };
+  newest_ = std::max(newest_, tick.tick);
   topics_->tick.write(tick);
   Exchange exchange;
   if (tick.plan_due && !tick.unattended) {
     Collected<Report> reports(tick.tick, tick.due);
     await("report" + of_tick, topics_->reports, [&] {
-      reports.add(topics_->reports.take());
+      reports.add(topics_->reports.take(), newest_, is_of);
       return hosts(reports.missing());
     });
     exchange.reports = reports.by_region();
     await("plan" + of_tick, topics_->plan, [&]() -> std::set<std::string> {
-      for (auto& plan : topics_->plan.take()) {
+      for (auto& [from, plan] : topics_->plan.take()) {
         if (plan.tick == tick.tick) {
           exchange.plan = std::move(plan);
         }
@@ -250,11 +282,14 @@ Exchange DdsPlayers::play(const Tick& tick) {
   }
   Collected<Departures> departures(tick.tick, tick.due);
   await("departures" + of_tick, topics_->departures, [&] {
-    departures.add(topics_->departures.take());
+    departures.add(topics_->departures.take(), newest_, is_of);
     return hosts(departures.missing());
   });
   exchange.departures = departures.by_region();
   supervisor_.progress();
+  for (const auto& [what, times] : topics_->refused()) {
+    incidents_.push_back({"sample refused", std::to_string(times) + " of " + what});
+  }
   exchange.incidents = std::exchange(incidents_, {});
   return exchange;
 }

@@ -44,7 +44,8 @@ class EmptyFolder {
 };
 
 /// The others as processes on the bus: starts them, waits until all are there, and ends them when destroyed. One that
-/// a signal ends meanwhile is started again and waited for. Made before anything else of this process touches DDS.
+/// a signal ends meanwhile is started again and waited for. What strangers say on the bus is refused and counted as
+/// an incident. Made before anything else of this process touches DDS.
 class DdsPlayers : public Players {
  public:
   /// Throws Error{run_failed} naming who did not come.
@@ -88,6 +89,7 @@ class DdsPlayers : public Players {
   std::map<std::string, std::chrono::steady_clock::time_point> deaths_;  ///< when one of the absent died
   std::vector<Incident> incidents_;
   Absences away_;
+  int newest_ = -1;  ///< tick that was announced
   std::optional<Participant> participant_;
   std::unique_ptr<Topics> topics_;
   double ready_seconds_ = 0.0;

@@ -9,9 +9,9 @@
 
 namespace evbal {
 
-/// What befell a process of the run, for the record: it changes nothing of what is said.
+/// What befell the run's processes or its bus, for the record: it changes nothing of what is said.
 struct Incident {
-  std::string kind;  ///< "process ended", "process back"
+  std::string kind;  ///< "process ended", "process back", "sample refused"
   std::string what;
 };
 

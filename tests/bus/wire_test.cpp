@@ -1,7 +1,9 @@
 #include "agents/bus/wire.hpp"
 
+#include "agents/bus/cdr_walk.hpp"
 #include "agents/protocol/fields.hpp"
 #include "common/error.hpp"
+#include "tests/support/spoilt.hpp"
 
 #include <evbalPubSubTypes.h>
 #include <fastdds/rtps/common/SerializedPayload.h>
@@ -9,46 +11,19 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
+#include <cstring>
 #include <limits>
 #include <type_traits>
 
 namespace evbal {
 namespace {
 
-template <class Visit>
-void fields(Visit&& visit, Is<Hello> auto& m) {
-  visit("name", m.name);
-  visit("process_id", m.process_id);
-}
-
-int enumerators(Errand /*type*/) {
-  return 3;
-}
-int enumerators(EffectType /*type*/) {
-  return 23;
-}
-int enumerators(OnStart /*type*/) {
-  return 2;
-}
-int enumerators(ReportField /*type*/) {
-  return 8;
-}
-int enumerators(ProcessRole /*type*/) {
-  return 3;
-}
-int enumerators(NetworkTopic /*type*/) {
-  return 3;
-}
-int enumerators(FallbackLevel /*type*/) {
-  return 4;
-}
-
 /// Fills every field that fields.hpp knows.
 struct Fill {
   template <class Field>
   void operator()(const char* /*name*/, Field& field) const {
     if constexpr (std::is_enum_v<Field>) {
-      field = static_cast<Field>(*rc::gen::inRange(0, enumerators(field)));
+      field = static_cast<Field>(*rc::gen::inRange(0, test::enumerators(field)));
     } else if constexpr (std::is_same_v<Field, double>) {
       const double special[] = {-0.0, std::numeric_limits<double>::infinity(), 1e-310};
       field = *rc::gen::inRange(0, 4) == 0 ? special[*rc::gen::inRange(0, 3)] : *rc::gen::arbitrary<double>();
@@ -103,13 +78,21 @@ std::string bytes(const Message& message) {
 }
 
 template <class Type, class Wire>
-Wire over_the_wire(const Wire& sent) {
+std::string cdr(const Wire& sent) {
   Type type;
   Wire copy = sent;
   eprosima::fastrtps::rtps::SerializedPayload_t payload(type.getSerializedSizeProvider(&copy)());
   RC_ASSERT(type.serialize(&copy, &payload));
-  Wire received;
-  RC_ASSERT(type.deserialize(&payload, &received));
+  return {reinterpret_cast<const char*>(payload.data), payload.length};
+}
+
+template <class Type>
+auto from_cdr(const std::string& bytes) {
+  eprosima::fastrtps::rtps::SerializedPayload_t payload(static_cast<std::uint32_t>(bytes.size()));
+  std::memcpy(payload.data, bytes.data(), bytes.size());
+  payload.length = static_cast<std::uint32_t>(bytes.size());
+  typename Type::type received;
+  RC_ASSERT(Type().deserialize(&payload, &received));
   return received;
 }
 
@@ -119,7 +102,7 @@ void round_trip() {
   Fill{}("", message);
   const auto sent = to_wire("a run", message);
   RC_ASSERT(sent.run() == "a run");
-  const auto received = over_the_wire<Type>(sent);
+  const auto received = from_cdr<Type>(cdr<Type>(sent));
   RC_ASSERT(received.run() == "a run");
   RC_ASSERT(bytes(from_wire(received)) == bytes(message));
 }
@@ -146,6 +129,45 @@ RC_GTEST_PROP(Wire, GivesPlanBack, ()) {
 
 RC_GTEST_PROP(Wire, GivesDeparturesBack, ()) {
   round_trip<wire::DeparturesPubSubType, std::vector<Departures>>();
+}
+
+/// Messages that miss bytes are known for it; of others with any bytes changed, either that or they can be read.
+template <class Type, class Message>
+void tear() {
+  Message message;
+  Fill{}("", message);
+  std::string bytes = cdr<Type>(to_wire("a run", message));
+  RC_ASSERT(is_whole<Message>(bytes));
+  RC_ASSERT(!is_whole<Message>(bytes.substr(0, *rc::gen::inRange<std::size_t>(0, bytes.size()))));
+  for (int changes = *rc::gen::inRange(1, 5); changes > 0; --changes) {
+    bytes[*rc::gen::inRange<std::size_t>(0, bytes.size())] = *rc::gen::element<char>(0, 1, 2, 3, 127, -1, -128);
+  }
+  if (is_whole<Message>(bytes)) {
+    const auto received = from_cdr<Type>(bytes);
+    try {
+      from_wire(received);
+    } catch (const Error&) {
+    }
+  }
+}
+
+RC_GTEST_PROP(CdrWalk, KnowsWholeMessages, ()) {
+  tear<wire::HelloPubSubType, Hello>();
+  tear<wire::FaultsPubSubType, Faults>();
+  tear<wire::TickPubSubType, Tick>();
+  tear<wire::ReportsPubSubType, std::vector<Report>>();
+  tear<wire::PlanPubSubType, Plan>();
+  tear<wire::DeparturesPubSubType, std::vector<Departures>>();
+}
+
+TEST(CdrWalk, BelievesNoLengthWithoutItsItems) {
+  Plan plan;
+  plan.moves.resize(3);
+  std::string bytes = cdr<wire::PlanPubSubType>(to_wire("a run", plan));
+  const std::size_t length_of_moves = 4 + 4 + 8 + 4;  // encapsulation, text with its length, tick
+  ASSERT_EQ(bytes[length_of_moves], 3);
+  std::memset(bytes.data() + length_of_moves, 0x7f, 4);
+  EXPECT_FALSE(is_whole<Plan>(bytes));
 }
 
 TEST(Wire, RefusesEnumeratorsThatDoNotExist) {

@@ -1,6 +1,7 @@
 // Processes of a run killed from outside, at any moment: the day must be the one in which nobody was.
 
 #include "common/random.hpp"
+#include "tests/bus/dds/run_processes.hpp"
 #include "tests/bus/dds/toy_day.hpp"
 
 #include <algorithm>
@@ -8,7 +9,6 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
-#include <fstream>
 #include <map>
 #include <mutex>
 #include <thread>
@@ -21,20 +21,6 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point time) {
   return std::chrono::duration<double>(Clock::now() - time).count();
-}
-
-/// The process of the run in `folder` that has this name; 0 if there is none at the moment.
-pid_t find_process(const std::string& folder, const std::string& name) {
-  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
-    std::ifstream in(entry.path() / "cmdline");
-    std::string line;
-    std::getline(in, line);  // words end with a zero byte
-    if (line.find(folder) != std::string::npos &&
-        line.find(std::string("--name\0", 7) + name + '\0') != std::string::npos) {
-      return std::atoi(entry.path().filename().c_str());
-    }
-  }
-  return 0;
 }
 
 /// Kills the processes of a run one after another at random moments, each once the one before is back.
@@ -69,7 +55,7 @@ class Killer {
       std::this_thread::sleep_for(std::chrono::microseconds(random_.below(100'000)));
       const std::lock_guard lock(mutex_);
       const std::string& name = victims_[random_.below(victims_.size())];
-      const pid_t process = victim_.empty() ? find_process(folder_, name) : 0;
+      const pid_t process = victim_.empty() ? test::find_process(folder_, name) : 0;
       if (process > 0 && kill(process, SIGKILL) == 0) {
         victim_ = name;
         process_ = process;

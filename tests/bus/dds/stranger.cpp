@@ -1,0 +1,194 @@
+// evbal-stranger DOMAIN RUN PARTICIPANTS READY: takes part on the bus of a run without having been asked. Writes on
+// every topic what looks like a message of the run, and bytes that look like nothing, until its standard input ends.
+// Makes the file READY once everybody can hear it.
+
+#include "agents/bus/participant.hpp"
+#include "agents/bus/wire.hpp"
+#include "common/random.hpp"
+
+#include <evbalPubSubTypes.h>
+#include <fastdds/dds/domain/DomainParticipant.hpp>
+#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
+#include <fastdds/dds/publisher/DataWriter.hpp>
+#include <fastdds/dds/publisher/Publisher.hpp>
+#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
+#include <fastrtps/utils/IPLocator.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace {
+
+using namespace evbal;
+namespace dds = eprosima::fastdds::dds;
+namespace rtps = eprosima::fastrtps::rtps;
+
+constexpr int ticks_of_a_day = 300;
+
+/// Writes any bytes under the name of a type.
+template <class Type>
+class Noise : public Type {
+ public:
+  bool serialize(void* /*data*/, rtps::SerializedPayload_t* payload) override {
+    payload->length = static_cast<std::uint32_t>(random_.below(payload->max_size + 1));
+    std::generate_n(payload->data, payload->length, [&] { return static_cast<unsigned char>(random_.below(256)); });
+    if (random_.below(2) == 0 && payload->length >= 4) {
+      std::copy_n("\0\1\0\0", 4, payload->data);  // the beginning of a message, at least
+    }
+    return true;
+  }
+
+  std::function<std::uint32_t()> getSerializedSizeProvider(void* /*data*/) override {
+    return [] { return 200; };
+  }
+
+ private:
+  RandomStream random_{1, Purpose::fault, {}};
+};
+
+class Stranger {
+ public:
+  Stranger(int domain, int participants) {
+    dds::DomainParticipantQos qos;
+    qos.wire_protocol().participant_id = participants + 20;
+    qos.transport().use_builtin_transports = false;
+    const auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
+    udp->interfaceWhiteList = {"127.0.0.1"};
+    qos.transport().user_transports.push_back(udp);
+    for (int peer = 0; peer < participants; ++peer) {
+      rtps::Locator_t locator;
+      locator.kind = LOCATOR_KIND_UDPv4;
+      rtps::IPLocator::setIPv4(locator, 127, 0, 0, 1);
+      locator.port = static_cast<std::uint32_t>(discovery_port(domain, peer));
+      qos.wire_protocol().builtin.initialPeersList.push_back(locator);
+    }
+    auto* factory = dds::DomainParticipantFactory::get_instance();
+    participant_ = factory->create_participant(static_cast<std::uint32_t>(domain), qos);
+    noisy_ = factory->create_participant(static_cast<std::uint32_t>(domain), with_next_number(qos));
+  }
+  ~Stranger() {
+    for (auto* participant : {participant_, noisy_}) {
+      participant->delete_contained_entities();
+      dds::DomainParticipantFactory::get_instance()->delete_participant(participant);
+    }
+  }
+  Stranger(const Stranger&) = delete;
+  Stranger& operator=(const Stranger&) = delete;
+
+  /// Of a topic that so many read.
+  template <class Type>
+  dds::DataWriter* writer(const std::string& topic, int readers) {
+    make_writer(noisy_, new Noise<Type>, topic, readers);
+    return make_writer(participant_, new Type, topic, readers);
+  }
+
+  bool heard() const {
+    return std::all_of(writers_.begin(), writers_.end(), [](const auto& writer) {
+      dds::PublicationMatchedStatus status;
+      writer.first->get_publication_matched_status(status);
+      return status.current_count >= writer.second;
+    });
+  }
+
+  /// The writers of bytes that look like nothing need no sample.
+  void make_noise() {
+    for (std::size_t i = 0; i < writers_.size(); i += 2) {
+      writers_[i].first->write(this);
+    }
+  }
+
+ private:
+  static dds::DomainParticipantQos with_next_number(dds::DomainParticipantQos qos) {
+    ++qos.wire_protocol().participant_id;
+    return qos;
+  }
+
+  dds::DataWriter* make_writer(dds::DomainParticipant* participant, dds::TopicDataType* type, const std::string& topic,
+                               int readers) {
+    const dds::TypeSupport support(type);
+    support.register_type(participant);
+    dds::DataWriterQos qos;
+    qos.reliability().kind = dds::RELIABLE_RELIABILITY_QOS;
+    qos.durability().kind = dds::TRANSIENT_LOCAL_DURABILITY_QOS;
+    qos.data_sharing().off();
+    qos.endpoint().history_memory_policy = rtps::DYNAMIC_REUSABLE_MEMORY_MODE;
+    auto* made =
+        participant->create_publisher(dds::PUBLISHER_QOS_DEFAULT)
+            ->create_datawriter(participant->create_topic(topic, support.get_type_name(), dds::TOPIC_QOS_DEFAULT), qos);
+    writers_.emplace_back(made, readers);
+    return made;
+  }
+
+  dds::DomainParticipant* participant_;
+  dds::DomainParticipant* noisy_;
+  std::vector<std::pair<dds::DataWriter*, int>> writers_;  ///< noisy and not, in turn; and how many read each
+};
+
+bool input_ended() {
+  pollfd input{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
+  return poll(&input, 1, 0) > 0;
+}
+
+/// What would turn the day upside down if anybody believed it.
+void disturb(int domain, const std::string& run, int participants, const std::string& ready) {
+  Stranger stranger(domain, participants);
+  const int agents = participants - BusAddress::first_agent;
+  auto* hello = stranger.writer<wire::HelloPubSubType>("evbal/hello", 1);
+  auto* faults = stranger.writer<wire::FaultsPubSubType>("evbal/faults", 1);
+  auto* ticks = stranger.writer<wire::TickPubSubType>("evbal/tick", participants);
+  auto* reports = stranger.writer<wire::ReportsPubSubType>("evbal/reports", 2);
+  auto* plans = stranger.writer<wire::PlanPubSubType>("evbal/plan", agents + 1);
+  auto* departures = stranger.writer<wire::DeparturesPubSubType>("evbal/departures", 1);
+  while (!stranger.heard()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  std::ofstream out(ready);
+  for (int tick = 0; !input_ended(); tick = (tick + 1) % ticks_of_a_day) {
+    auto hello_sample = to_wire(run, Hello{.name = "agent-0", .process_id = getpid()});
+    auto faults_sample = to_wire(
+        run, Faults{.tick = tick, .effects = {{.type = EffectType::demand_scale, .magnitude = 9.0}}, .origin = {}});
+    Tick announced;
+    announced.tick = tick;
+    announced.plan_due = true;
+    announced.due = {0, 1, 2, 3, 4};
+    auto tick_sample = to_wire(run, announced);
+    std::vector<Report> report(1);
+    report[0].tick = tick;
+    report[0].vacant = 40;
+    auto report_sample = to_wire(run, report);
+    auto plan_sample =
+        to_wire(run, Plan{.tick = tick, .moves = {{.from = 0, .to = 1, .count = 50}}, .provenance = {}, .origin = {}});
+    std::vector<Departures> said(1);
+    said[0].tick = tick;
+    said[0].departures = {{.minute = 5 * tick, .to = 2, .vehicle = {.id = 7}}};
+    auto departures_sample = to_wire(run, said);
+    hello->write(&hello_sample);
+    faults->write(&faults_sample);
+    ticks->write(&tick_sample);
+    reports->write(&report_sample);
+    plans->write(&plan_sample);
+    departures->write(&departures_sample);
+    stranger.make_noise();
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 5) {
+    return 2;
+  }
+  disturb(std::atoi(argv[1]), argv[2], std::atoi(argv[3]), argv[4]);
+  return 0;
+}
