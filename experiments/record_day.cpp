@@ -101,11 +101,16 @@ RunResult play(const Scenario& scenario, const std::string& resolved, const std:
   RunRecord record(folder, header_of(scenario, resolved));
   const auto players = players_of(scenario, folder, stage.transport);
   Progress progress(scenario.planning.controller, scenario.world.clock, fault_names(scenario.schedule), stage.quiet);
-  run_day(scenario.world, *players, [&](const TickRecord& tick) {
-    record.add(tick);
-    progress.show(tick);
-    check_interrupt();
-  });
+  try {
+    run_day(scenario.world, *players, [&](const TickRecord& tick) {
+      record.add(tick);
+      progress.show(tick);
+      check_interrupt();
+    });
+  } catch (const Error& error) {
+    record.break_off(error.what());
+    throw;
+  }
   return record.finish();
 }
 

@@ -156,6 +156,10 @@ void RunRecord::add(const TickRecord& record) {
   last_ = Clock::now();
 }
 
+void RunRecord::break_off(const std::string& why) {
+  file_.event(static_cast<int>(ticks_.size()), "run failed", why);
+}
+
 void RunRecord::note_not_injected() {
   std::set<int> injected;
   for (const auto& record : ticks_) {

@@ -59,6 +59,9 @@ class RunRecord {
   /// Adds the next tick.
   void add(const TickRecord& record);
 
+  /// Notes why the run breaks off here, among the events of the tick that did not end.
+  void break_off(const std::string& why);
+
   /// Writes what is still missing; the record is complete then. All steps of the day must have been added.
   RunResult finish();
 

@@ -1,5 +1,6 @@
 #include "tests/run/evbal/command_line.hpp"
 
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -37,6 +38,19 @@ class OwnCoordinator : public ::testing::Test {
 
   CommandLine line_;
 };
+
+TEST_F(OwnCoordinator, IsNotedWhereTheRunBreaksOff) {
+  std::ofstream(line_.path() / "answers.sh") << "read opening\nread question\necho '{\"moves\": []}'\nread question\n"
+                                                "echo '{\"moves\": 7}'\nread more\n";
+  EXPECT_EQ(run("evbal-bridge sh answers.sh").status, 3);
+  EXPECT_TRUE(fs::exists(line_.path() / "run" / "INCOMPLETE"));
+  const SQLite::Database record(line_.path() / "run" / "run.sqlite");
+  SQLite::Statement last(record, "SELECT tick, kind, what FROM events ORDER BY rowid DESC LIMIT 1");
+  ASSERT_TRUE(last.executeStep());
+  EXPECT_EQ(last.getColumn(0).getInt(), 2);
+  EXPECT_EQ(last.getColumn(1).getString(), "run failed");
+  EXPECT_NE(last.getColumn(2).getString().find("moves"), std::string::npos);
+}
 
 TEST_F(OwnCoordinator, InPythonPlansADayThatReplays) {
   const Ended ended = run("evbal-bridge python3 nearest.py", "--controller nearest");
