@@ -2,6 +2,7 @@
 
 #include "agents/bus/process.hpp"
 #include "agents/bus/roles.hpp"
+#include "agents/protocol/message_check.hpp"
 #include "agents/region/region_plant.hpp"
 #include "agents/region/world.hpp"
 
@@ -12,11 +13,16 @@ using namespace evbal;
 void host(const ProcessOptions& options, Participant& participant) {
   YamlMap scenario(YamlValue::load(options.scenario));
   const World world = read_world(scenario);
+  const MessageBounds bounds = bounds_of(world);
   std::deque<RegionPlant> plants;
   std::vector<HostedRegion> regions;
   for (int region = options.first_region; region <= options.last_region; ++region) {
     RegionPlant& plant = plants.emplace_back(make_plant(world, region));
-    regions.push_back({.begin = [&plant](const Tick& tick) { plant.begin(tick); },
+    const auto begin = [&plant, &bounds](const Tick& tick) {
+      refuse_garbage(tick, bounds, "the conductor");
+      plant.begin(tick);
+    };
+    regions.push_back({.begin = begin,
                        .report = [&plant] { return plant.report(); },
                        .live = [&plant](const Plan* plan) { return plant.live(plan); }});
   }

@@ -234,6 +234,14 @@ std::string time_text(int minute_of_day) {
 
 }  // namespace
 
+MessageBounds bounds_of(const World& world) {
+  return {.regions = world.city.size(),
+          .vehicles = world.city.fleet.vehicles,
+          .battery_kwh = world.city.fleet.battery_kwh,
+          .longest_trip = world.city.minutes.maxCoeff(),
+          .clock = world.clock};
+}
+
 void share_pack_folders() {
   std::string list;
   for (const auto& folder : pack_folders()) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "agents/city/city.hpp"
+#include "agents/protocol/message_check.hpp"
 #include "common/clock.hpp"
 #include "common/yaml.hpp"
 
@@ -23,6 +24,9 @@ struct World {
   DayClock clock;
   std::uint64_t seed = 0;
 };
+
+/// What bounds the messages of a run in this world.
+MessageBounds bounds_of(const World& world);
 
 /// Has the processes that this one starts look for packs where this one does, wherever their programs are: puts the
 /// folders into EVBAL_CITIES, which lists them with colons. To be called before there are threads.

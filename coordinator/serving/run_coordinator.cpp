@@ -2,6 +2,7 @@
 
 #include "agents/bus/process.hpp"
 #include "agents/bus/roles.hpp"
+#include "agents/protocol/message_check.hpp"
 #include "agents/region/draws.hpp"
 #include "agents/region/world.hpp"
 #include "common/error.hpp"
@@ -39,11 +40,15 @@ void plan(const std::vector<Controller>& own, const ProcessOptions& options, Par
     coordinator.foresee(
         demand_by_tick(world, [&](int tick) { return faults_at(schedule, world.clock, tick).effects; }));
   }
-  const Planner planner = {
-      .plan = [&](const Tick& tick, const auto& reports) { return coordinator.plan(tick, reports); },
-      .memory = [&] { return coordinator.memory(); },
-      .recall = [&](const Tick& tick, const auto& reports,
-                    const auto& memory) { coordinator.recall(tick, reports, memory); }};
+  const MessageBounds bounds = bounds_of(world);
+  const auto make_plan = [&](const Tick& tick, const std::vector<Report>& reports) {
+    refuse_garbage(tick, bounds, "the conductor");
+    return coordinator.plan(tick, reports);
+  };
+  const Planner planner = {.plan = make_plan,
+                           .memory = [&] { return coordinator.memory(); },
+                           .recall = [&](const Tick& tick, const auto& reports,
+                                         const auto& memory) { coordinator.recall(tick, reports, memory); }};
   serve_coordinator(participant, options, planner);
 }
 

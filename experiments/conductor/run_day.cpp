@@ -42,19 +42,33 @@ void check_complete(const Tick& tick, const Exchange& exchange) {
   }
 }
 
+/// Nobody saw a fault that does not act on its region in this tick.
+void check_observed(const World& world, const Tick& tick, const Departures& said) {
+  for (const Observed& seen : said.observed) {
+    const bool acts = std::any_of(tick.effects.begin(), tick.effects.end(), [&](const Effect& effect) {
+      return effect.fault == seen.fault && effect.region == said.region;
+    });
+    require(acts, world, said.tick, said.region,
+            "saw fault " + std::to_string(seen.fault) + ", which does not act there");
+  }
+}
+
 /// With as many vehicles in every region as it was handed, plants + roads = fleet: each vehicle has one holder.
-void check_vehicles_and_points(const World& world, const Roads& roads, const Departures& said) {
+void check_vehicles_and_points(const World& world, const Eigen::VectorXi& installed, const Roads& roads,
+                               const Departures& said) {
   const int here = said.vacant + said.low_battery + said.plugged + said.broken;
   const int handed = roads.held_by(said.region);
   require(here == handed, world, said.tick, said.region,
           "has " + std::to_string(here) + " vehicles, was handed " + std::to_string(handed));
+  require(said.points <= installed[said.region], world, said.tick, said.region,
+          std::to_string(said.points) + " points work, " + std::to_string(installed[said.region]) + " are installed");
   require(said.plugged <= said.points, world, said.tick, said.region,
           std::to_string(said.plugged) + " points in use, " + std::to_string(said.points) + " work");
 }
 
 void check_plan(const World& world, const Tick& tick, const Plan& plan, const std::vector<Report>& reports) {
-  std::map<int, int> vacant;
-  std::map<int, int> low_battery;
+  std::map<int, std::int64_t> vacant;
+  std::map<int, std::int64_t> low_battery;
   for (const auto& move : plan.moves) {
     (move.errand == Errand::rebalance ? vacant : low_battery)[move.from] += move.count;
   }
@@ -78,6 +92,8 @@ class Day {
       : world_(world),
         players_(players),
         observe_(observe),
+        bounds_(bounds_of(world)),
+        installed_(world.city.points()),
         shape_{world.seed, world.city.size(), players.regions_per_process()},
         roads_(draw_fleet(world)) {}
 
@@ -114,6 +130,7 @@ class Day {
     }
     Faults said = tick < injector_back_ ? heard_ : players_.faults(tick);
     said.tick = tick;
+    refuse_garbage(said, bounds_, "the injector");
     const auto own = std::find_if(said.effects.begin(), said.effects.end(), [](const Effect& effect) {
       return family_of(effect.type) == FaultFamily::process && effect.process == ProcessRole::injector;
     });
@@ -195,12 +212,15 @@ class Day {
   void check_and_move(const Tick& tick, const Exchange& exchange) {
     check_complete(tick, exchange);
     for (const auto& departures : exchange.departures) {
+      refuse_garbage(departures, bounds_, "region " + std::to_string(departures.region));
+      check_observed(world_, tick, departures);
       roads_.take(departures, world_.clock.minute_of(tick.tick + 1));
     }
     for (const auto& departures : exchange.departures) {
-      check_vehicles_and_points(world_, roads_, departures);
+      check_vehicles_and_points(world_, installed_, roads_, departures);
     }
     if (exchange.plan) {
+      refuse_garbage(*exchange.plan, bounds_, "the coordinator");
       check_plan(world_, tick, *exchange.plan, exchange.reports);
     }
   }
@@ -216,6 +236,8 @@ class Day {
   const World& world_;
   Players& players_;
   const std::function<void(const TickRecord&)>& observe_;
+  MessageBounds bounds_;
+  Eigen::VectorXi installed_;
   RunShape shape_;
   Roads roads_;
   std::deque<TickRecord> open_;  ///< ticks of which somebody has not spoken yet

@@ -321,11 +321,14 @@ TEST(RunDay, NoticesPointsThatDoNotWork) {
 }
 
 TEST(RunDay, NoticesVehiclesFromNowhere) {
-  expect_caught(
-      [](Exchange& said) {
-        said.departures[2].departures.push_back({.minute = 15, .to = 0, .arrival_minute = 40, .vehicle = {.id = 100}});
-      },
-      "was not there");
+  const auto send = [](int vehicle) {
+    return [=](Exchange& said) {
+      said.departures[2].departures.push_back(
+          {.minute = 15, .to = 0, .arrival_minute = 40, .errand = Errand::rebalance, .vehicle = {.id = vehicle}});
+    };
+  };
+  expect_caught(send(0), "was not there");
+  expect_caught(send(60), "vehicle 60");
 }
 
 TEST(RunDay, NoticesPlansBeyondTheReports) {
