@@ -1,10 +1,13 @@
 #include "tools/fit/fit_city.hpp"
 
 #include "common/error.hpp"
+#include "common/parallel.hpp"
 #include "tools/fit/training_day.hpp"
 #include "tools/fit/turnover_fit.hpp"
 
 #include <algorithm>
+#include <array>
+#include <mutex>
 #include <numeric>
 
 namespace evbal {
@@ -111,22 +114,25 @@ PlanningSettings under(const std::string& controller, int leads) {
 }
 
 /// Plays days spread over the training days under `turnover` with several phi; all else equal.
-std::vector<PhiTrial> try_phi(const City& city, const std::vector<DemandDay>& training, CityModel model,
-                              const std::function<void(const std::string&)>& tell) {
+std::vector<PhiTrial> try_phi(const City& city, const std::vector<DemandDay>& training, const CityModel& model) {
+  constexpr std::array<double, 4> tried{0.4, 0.6, 0.8, 1.0};
+  constexpr std::size_t days = 3;
   const PlanningSettings settings = under("turnover", model.leads());
+  std::vector<TrainingDay> played(tried.size() * days);
+  parallel_for(played.size(), [&](std::size_t i) {
+    CityModel with_phi = model;
+    with_phi.turnover.phi = tried.at(i / days);
+    const DemandDay& day = training[(i % days + 1) * training.size() / (days + 1)];
+    played[i] = play_training_day(training_world(city, day), with_phi, settings, period_starts);
+  });
   std::vector<PhiTrial> trials;
-  for (const double phi : {0.4, 0.6, 0.8, 1.0}) {
-    tell("turnover with phi " + std::to_string(phi).substr(0, 3) + " on three training days");
-    model.turnover.phi = phi;
-    PhiTrial trial{.phi = phi};
-    for (std::size_t quarter = 1; quarter <= 3; ++quarter) {
-      const DemandDay& day = training[quarter * training.size() / 4];
-      const TrainingDay played = play_training_day(training_world(city, day), model, settings, period_starts);
-      trial.lost += played.lost;
-      trial.idle_km += played.idle_km;
+  for (std::size_t i = 0; i < tried.size(); ++i) {
+    PhiTrial& trial = trials.emplace_back(PhiTrial{.phi = tried.at(i)});
+    for (std::size_t day = 0; day < days; ++day) {
+      trial.lost += played[i * days + day].lost;
+      trial.idle_km += played[i * days + day].idle_km;
     }
     trial.cost = trial.idle_km + settings.balancing.p_shortage * trial.lost;
-    trials.push_back(trial);
   }
   return trials;
 }
@@ -150,24 +156,28 @@ CityFit fit_city(const City& city, int leads, const std::function<void(const std
   fit.demand = fit_series(demand, city.step_minutes, leads, all_regions(city));
   fit.model = model_of_demand(city, leads, fit.demand.model);
 
-  const auto play = [&](const DemandDay& day) {
-    tell("plant: " + day.date + " under greedy");
-    return play_training_day(training_world(city, day), fit.model, under("greedy", leads), period_starts);
-  };
+  tell("plant: training and test days under greedy");
+  const PlanningSettings greedy = under("greedy", leads);
   SeriesDays completions;
+  completions.training.resize(training.size());
+  completions.test.resize(test.size());
   std::vector<TransitionCounts> periods(period_starts.size(), TransitionCounts(city.size()));
-  for (const DemandDay& day : training) {
-    const TrainingDay played = play(day);
-    completions.training.push_back({day_kind(day.date, day.holiday), played.completions});
-    for (std::size_t period = 0; period < periods.size(); ++period) {
-      periods[period] += played.transitions[period];
+  std::mutex adding;
+  parallel_for(training.size() + test.size(), [&](std::size_t i) {
+    const bool trains = i < training.size();
+    const DemandDay& day = trains ? training[i] : test[i - training.size()];
+    const TrainingDay played = play_training_day(training_world(city, day), fit.model, greedy, period_starts);
+    CountDay& count = trains ? completions.training[i] : completions.test[i - training.size()];
+    count = {day_kind(day.date, day.holiday), played.completions};
+    if (trains) {
+      const std::lock_guard lock(adding);  // whole numbers: the order of adding does not matter
+      for (std::size_t period = 0; period < periods.size(); ++period) {
+        periods[period] += played.transitions[period];
+      }
+      fit.served += played.served;
+      fit.lost += played.lost;
     }
-    fit.served += played.served;
-    fit.lost += played.lost;
-  }
-  for (const DemandDay& day : test) {
-    completions.test.push_back({day_kind(day.date, day.holiday), play(day).completions});
-  }
+  });
 
   tell("completions and transitions of the days played");
   fit.completions = fit_series(completions, city.step_minutes, leads, regions_with_points(city));
@@ -180,7 +190,8 @@ CityFit fit_city(const City& city, int leads, const std::function<void(const std
   }
   fit.model.turnover.demand = fit_count_variance(fit.demand.training, leads);
   fit.model.turnover.same_step_dropoffs = rounded(same_step_dropoffs(city, training, city.step_minutes));
-  fit.phi = try_phi(city, training, fit.model, tell);
+  tell("turnover on three training days, with several phi");
+  fit.phi = try_phi(city, training, fit.model);
   fit.model.turnover.phi = std::ranges::min_element(fit.phi, {}, &PhiTrial::cost)->phi;
   return fit;
 }
