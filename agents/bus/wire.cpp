@@ -120,6 +120,8 @@ void pairs(const Copy& copy, Is<Provenance> auto& own, auto& wire) {
   copy(own.gap, wire.gap());
   copy(own.max_violation, wire.max_violation());
   copy(own.iterations, wire.iterations());
+  copy(own.demand_widened, wire.demand_widened());
+  copy(own.completions_widened, wire.completions_widened());
   copy(own.rejected, wire.rejected());
 }
 

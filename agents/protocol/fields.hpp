@@ -127,6 +127,8 @@ void fields(Visit&& visit, Is<Provenance> auto& m) {
   visit("gap", m.gap);
   visit("max_violation", m.max_violation);
   visit("iterations", m.iterations);
+  rare(visit, "demand_widened", m.demand_widened, m.demand_widened == 1.0);
+  rare(visit, "completions_widened", m.completions_widened, m.completions_widened == 1.0);
   rare(visit, "rejected", m.rejected, m.rejected.empty());
 }
 

@@ -200,6 +200,8 @@ struct Provenance {
   double gap = 0.0;            ///< (objective - lower_bound) / max(1, |objective|)
   double max_violation = 0.0;  ///< of any constraint, recomputed from the model
   std::int32_t iterations = 0;
+  double demand_widened = 1.0;        ///< by the innovation test: the largest factor on a region's standard deviation
+  double completions_widened = 1.0;   ///< likewise
   std::vector<Rejection> rejected{};  ///< by region; these regions stand in the plan as the coordinator estimates them
 };
 

@@ -63,4 +63,15 @@ MomentSet moment_set(const ResidualLaw& law, const Eigen::MatrixXd& mean, const 
   return set;
 }
 
+Eigen::VectorXd widening(const ResidualLaw& law, const Surprise& surprise) {
+  const Eigen::ArrayXd squared = surprise.region.array().max(surprise.city);
+  return (squared > law.alarm).select(squared, 1.0).sqrt();
+}
+
+void widen(MomentSet& set, const Eigen::VectorXd& by) {
+  const Eigen::VectorXd each = by.replicate(set.mean.size() / by.size(), 1);
+  set.deviation = set.deviation.cwiseProduct(each);
+  set.factors = each.asDiagonal() * set.factors;
+}
+
 }  // namespace evbal

@@ -3,6 +3,7 @@
 #include "coordinator/ambiguity/bootstrap.hpp"
 #include "coordinator/ambiguity/covariance.hpp"
 #include "coordinator/ambiguity/moment_set.hpp"
+#include "coordinator/forecast/forecaster.hpp"
 
 #include <Eigen/Core>
 
@@ -14,6 +15,7 @@ namespace evbal {
 struct ResidualLaw {
   Covariance covariance;               ///< of N tau scaled errors, step-major
   std::vector<Thresholds> thresholds;  ///< entry k: of the first k + 1 steps
+  double alarm = 0.0;                  ///< Surprise beyond which errors are no longer of this law
 
   int leads() const { return static_cast<int>(thresholds.size()); }
 };
@@ -26,5 +28,12 @@ ResidualLaw fit_residual_law(const Eigen::MatrixXd& residuals, int leads, const 
 /// floored at 0.1 (model, section 5); where `scale` is 0 the count is certain, up to a tiny deviation that keeps Sigma
 /// regular.
 MomentSet moment_set(const ResidualLaw& law, const Eigen::MatrixXd& mean, const Eigen::MatrixXd& scale);
+
+/// What standard deviations are multiplied by where recent errors leave the law (N): the root of a region's surprise,
+/// or of the city's if that is more, where it exceeds the alarm; 1 elsewhere.
+Eigen::VectorXd widening(const ResidualLaw& law, const Surprise& surprise);
+
+/// Multiplies each region's standard deviations by `by` (N), in all steps.
+void widen(MomentSet& set, const Eigen::VectorXd& by);
 
 }  // namespace evbal

@@ -116,7 +116,8 @@ void ArimaFilter::predict(Eigen::VectorXd& state, Eigen::MatrixXd& covariance) c
   covariance.noalias() += noise_ * noise_.transpose();
 }
 
-void ArimaFilter::observe(double y) {
+Innovation ArimaFilter::observe(double y) {
+  const Innovation off{y - observation_.dot(state_), variance_ * observation_.dot(covariance_ * observation_)};
   if (!std::isnan(y)) {
     const Eigen::VectorXd gain = covariance_ * observation_;
     const double variance = observation_.dot(gain);
@@ -130,6 +131,7 @@ void ArimaFilter::observe(double y) {
     covariance_.noalias() -= gain * gain.transpose() / variance;
   }
   predict(state_, covariance_);
+  return off;
 }
 
 Outlook ArimaFilter::outlook(int steps) const {

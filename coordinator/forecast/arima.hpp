@@ -42,6 +42,12 @@ struct Outlook {
   Eigen::VectorXd variance;
 };
 
+/// How far an observation lay off what was expected of it, and the variance that this had.
+struct Innovation {
+  double value = 0.0;
+  double variance = 0.0;
+};
+
 /// Kalman filter of an ARIMA model in state-space form (Harvey 1993, section 4.4; Gardner, Harvey and Phillips 1980),
 /// for one stretch of observations. ARMA states start from their stationary covariance, differenced ones from a diffuse
 /// prior.
@@ -49,8 +55,8 @@ class ArimaFilter {
  public:
   explicit ArimaFilter(const ArimaModel& model);
 
-  /// Takes the next observation; NaN if it is missing.
-  void observe(double y);
+  /// Takes the next observation; NaN if it is missing. Gives what it was off, NaN if it is missing.
+  Innovation observe(double y);
 
   /// The `steps` observations that come next.
   Outlook outlook(int steps) const;

@@ -4,6 +4,13 @@
 
 namespace evbal {
 
+/// How far what came lately lay off what was expected of it: mean squares over the last steps, in units of their
+/// variance; about 1 while errors are as they were in training, 0 where nothing is known.
+struct Surprise {
+  double city = 0.0;
+  Eigen::VectorXd region;  ///< N
+};
+
 /// Forecasts counts per region (passengers who appear, charging sessions that end) while a day goes on.
 /// Minutes count from the day's start.
 class Forecaster {
@@ -21,6 +28,9 @@ class Forecaster {
   /// Size of an ordinary forecast error of the same windows, N x tau, 0 where there is none: residuals divided by it
   /// are alike at any time of the day (model, section 5).
   virtual Eigen::MatrixXd scale(int minute, int tau) const = 0;
+
+  /// Of the last three steps up to `minute`, the last observation's.
+  virtual Surprise surprise(int minute) const = 0;
 };
 
 }  // namespace evbal

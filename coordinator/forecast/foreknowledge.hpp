@@ -16,6 +16,9 @@ class Foreknowledge : public Forecaster {
   /// Nothing: there are no errors.
   Eigen::MatrixXd scale(int minute, int tau) const override;
 
+  /// None.
+  Surprise surprise(int minute) const override;
+
  private:
   Eigen::MatrixXd counts_;
   int tick_;

@@ -43,6 +43,26 @@ double city_total(const Eigen::ArrayXd& mean) {
   return std::max(1.0, mean.sum());
 }
 
+constexpr int surprise_steps = 3;
+
+/// Squares of innovations in units of their variance, which is taken to be a Poisson count's at least: of a region with
+/// few counts, a model of less variance knows too little.
+class MeanSquare {
+ public:
+  void add(const Innovation& innovation) {
+    if (!std::isnan(innovation.value)) {
+      sum_ += innovation.value * innovation.value / std::max(1.0, innovation.variance);
+      ++count_;
+    }
+  }
+
+  double value() const { return sum_ / std::max(1, count_); }
+
+ private:
+  double sum_ = 0.0;
+  int count_ = 0;
+};
+
 }  // namespace
 
 DayKind day_kind(const std::string& date, bool holiday) {
@@ -136,20 +156,32 @@ Eigen::VectorXd SeasonalForecaster::scale_of(int from) const {
 SeasonalForecaster::Prediction SeasonalForecaster::predict(int minute, int tau) const {
   ArimaFilter city = city_;
   std::vector<ArimaFilter> regions = region_;
+  MeanSquare off_city;
+  std::vector<MeanSquare> off(regions.size());
   for (int from = minute % step_minutes_; from < minute; from += step_minutes_) {
     const Deviation now = seen(from, from + step_minutes_);
-    city.observe(now.city);
+    const bool recent = from >= minute - surprise_steps * step_minutes_;
+    const auto take = [recent](ArimaFilter& filter, double y, MeanSquare& sum) {
+      const Innovation innovation = filter.observe(y);
+      if (recent) {
+        sum.add(innovation);
+      }
+    };
+    take(city, now.city, off_city);
     for (std::size_t i = 0; i < regions.size(); ++i) {
-      regions[i].observe(now.region(static_cast<Eigen::Index>(i)));
+      take(regions[i], now.region(static_cast<Eigen::Index>(i)), off[i]);
     }
   }
   const Outlook city_ahead = city.outlook(tau);
-  Prediction out{Eigen::MatrixXd::Zero(mean_.rows(), tau), Eigen::MatrixXd::Zero(mean_.rows(), tau),
-                 Eigen::VectorXd(tau)};
+  Prediction out{Eigen::MatrixXd::Zero(mean_.rows(), tau),
+                 Eigen::MatrixXd::Zero(mean_.rows(), tau),
+                 Eigen::VectorXd(tau),
+                 {off_city.value(), Eigen::VectorXd(mean_.rows())}};
   for (Eigen::Index i = 0; i < mean_.rows(); ++i) {
     const Outlook ahead = regions[static_cast<std::size_t>(i)].outlook(tau);
     out.mean.row(i) = ahead.mean;
     out.variance.row(i) = ahead.variance;
+    out.surprise.region(i) = off[static_cast<std::size_t>(i)].value();
   }
   for (int lead = 0; lead < tau; ++lead) {
     const int from = minute + lead * step_minutes_;
@@ -163,6 +195,10 @@ SeasonalForecaster::Prediction SeasonalForecaster::predict(int minute, int tau) 
   }
   out.mean = out.mean.cwiseMax(0.0);
   return out;
+}
+
+Surprise SeasonalForecaster::surprise(int minute) const {
+  return predict(minute, 1).surprise;
 }
 
 Eigen::MatrixXd SeasonalForecaster::forecast(int minute, int tau) const {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <functional>
 
 namespace evbal {
 namespace {
@@ -141,12 +142,15 @@ HeldOutDay hold_out(const SeasonalModel& model, const SeasonalMeans& rival, cons
   const Eigen::MatrixXd& mean = rival[static_cast<std::size_t>(day.kind)];
   const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(n, leads);
   const Eigen::MatrixXd columns(n * leads, origins);
-  HeldOutDay out{columns, columns, columns, {zero, zero, zero}};
+  HeldOutDay out{columns, columns, columns, Eigen::VectorXd::Zero(n + 1), {zero, zero, zero}};
   SeasonalForecaster forecaster(model, day.kind);
   for (int step = 0; step < origins; ++step) {
     const int minute = step * model.step_minutes;
     const Eigen::MatrixXd truth = day.counts.middleCols(step, leads);
-    const Eigen::MatrixXd forecast = forecaster.forecast(minute, leads);
+    const SeasonalForecaster::Prediction ahead = forecaster.predict(minute, leads);
+    const Eigen::MatrixXd& forecast = ahead.mean;
+    out.surprise.head(n) = out.surprise.head(n).cwiseMax(ahead.surprise.region);
+    out.surprise(n) = std::max(out.surprise(n), ahead.surprise.city);
     const Eigen::MatrixXd error = truth - forecast;
     out.forecasts.col(step) = forecast.reshaped();
     out.counts.col(step) = truth.reshaped();
@@ -158,6 +162,16 @@ HeldOutDay hold_out(const SeasonalModel& model, const SeasonalMeans& rival, cons
     forecaster.observe(minute + model.step_minutes, day.counts.col(step));
   }
   return out;
+}
+
+double daily_surprise(const std::vector<HeldOutDay>& days) {
+  std::vector<double> largest;
+  for (const HeldOutDay& day : days) {
+    largest.insert(largest.end(), day.surprise.begin(), day.surprise.end());
+  }
+  const auto rank = largest.begin() + static_cast<std::ptrdiff_t>(std::min(days.size(), largest.size() - 1));
+  std::nth_element(largest.begin(), rank, largest.end(), std::greater<>());
+  return *rank;
 }
 
 std::vector<HeldOutDay> leave_one_day_out(const std::vector<CountDay>& days, int step_minutes,

@@ -42,6 +42,7 @@ struct HeldOutDay {
   Eigen::MatrixXd forecasts;
   Eigen::MatrixXd counts;     ///< that came
   Eigen::MatrixXd residuals;  ///< errors divided by Forecaster::scale
+  Eigen::VectorXd surprise;   ///< the day's largest, of each region, the city's last
   Skill skill;
 };
 
@@ -52,6 +53,9 @@ using SeasonalMeans = std::array<Eigen::MatrixXd, day_kinds>;
 SeasonalMeans seasonal_means(const std::vector<CountDay>& days);
 
 HeldOutDay hold_out(const SeasonalModel& model, const SeasonalMeans& rival, const CountDay& day, int leads);
+
+/// The surprise that the city and its regions exceed together on one day in a day, on average over `days`.
+double daily_surprise(const std::vector<HeldOutDay>& days);
 
 /// hold_out of each day with the model fitted to all others; needs at least three days.
 std::vector<HeldOutDay> leave_one_day_out(const std::vector<CountDay>& days, int step_minutes,

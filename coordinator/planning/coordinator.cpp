@@ -127,7 +127,14 @@ void Coordinator::foresee(const Eigen::MatrixXd& demand_by_tick) {
   demand_ = std::make_unique<Foreknowledge>(demand_by_tick, clock_.tick, clock_.step);
 }
 
-PlanningData Coordinator::data(int minute, const std::vector<Report>& reports) const {
+Coordinator::Widening Coordinator::widening_at(int minute) const {
+  const Eigen::VectorXd none = Eigen::VectorXd::Ones(model_.regions());
+  return settings_.innovation_test ? Widening{widening(model_.demand.errors, demand_->surprise(minute)),
+                                              widening(model_.completions.errors, completions_->surprise(minute))}
+                                   : Widening{none, none};
+}
+
+PlanningData Coordinator::data(int minute, const std::vector<Report>& reports, const Widening& by) const {
   const int tau = horizon_at(clock_, minute, settings_.balancing.tau);
   PlanningData data;
   data.km = km_;
@@ -136,11 +143,13 @@ PlanningData Coordinator::data(int minute, const std::vector<Report>& reports) c
   data.points = points_ahead(reports, tau);
   data.demand = moment_set(model_.demand.errors, told_.as_announced(demand_->forecast(minute, tau), clock_.step),
                            demand_->scale(minute, tau));
+  widen(data.demand, by.demand);
   grow(data.demand, fleet_.variance());
   data.demand_samples = gaussian_samples(data.demand, draws_samples(settings_.controller) ? demand_samples : 0);
   data.completions =
       moment_set(model_.completions.errors, has_points_.asDiagonal() * completions_->forecast(minute, tau),
                  has_points_.asDiagonal() * completions_->scale(minute, tau));
+  widen(data.completions, by.completions);
   data.free_points = free_points(reports, minute, clock_.step, session_quantiles_, data.completions);
   data.turnover = model_.turnover;
   for (int step = 0; step < tau; ++step) {
@@ -179,7 +188,10 @@ void Coordinator::recall(const Tick& tick, const std::vector<Report>& reports, c
 }
 
 Plan Coordinator::plan(const Tick& tick, const std::vector<Report>& reports) {
-  const PlanningData known = data(clock_.minute_of(tick.tick), observe(tick, reports));
+  const int minute = clock_.minute_of(tick.tick);
+  const std::vector<Report> believed = observe(tick, reports);
+  const Widening by = widening_at(minute);
+  const PlanningData known = data(minute, believed, by);
   Decision decision = ladder_.decide(known, under_faults(settings_.engine, tick.effects));
   add_moves(last_.moves, Errand::rebalance, decision.vacant, known.state.vacant);
   add_moves(last_.moves, Errand::charge, decision.low_battery, known.state.low_battery);
@@ -188,6 +200,8 @@ Plan Coordinator::plan(const Tick& tick, const std::vector<Report>& reports) {
   if (last_.provenance.iterations > 0) {
     last_.provenance.engine = settings_.engine.name;
   }
+  last_.provenance.demand_widened = by.demand.maxCoeff();
+  last_.provenance.completions_widened = by.completions.maxCoeff();
   return last_;
 }
 

@@ -53,7 +53,15 @@ class Coordinator {
  private:
   /// Takes what the reports say, as far as they are believed; gives them, or estimates, by region.
   std::vector<Report> observe(const Tick& tick, const std::vector<Report>& reports);
-  PlanningData data(int minute, const std::vector<Report>& reports) const;
+
+  /// What the innovation test multiplies standard deviations by, by region: 1 without one.
+  struct Widening {
+    Eigen::VectorXd demand;
+    Eigen::VectorXd completions;
+  };
+  Widening widening_at(int minute) const;
+
+  PlanningData data(int minute, const std::vector<Report>& reports, const Widening& by) const;
 
   DayClock clock_;
   PlanningSettings settings_;

@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int schema = 2;
+constexpr int schema = 3;
 constexpr double large = 1e9;
 constexpr std::array<const char*, day_kinds> kind_names{"weekday", "saturday", "sunday"};
 
@@ -64,7 +64,8 @@ json to_json(const SeriesModel& series) {
           {"deviation", to_json(series.errors.covariance.deviation)},
           {"factors", to_json(series.errors.covariance.factors)},
           {"g1", g1},
-          {"g2", g2}};
+          {"g2", g2},
+          {"alarm", series.errors.alarm}};
 }
 
 json to_json(const Period& period) {
@@ -137,6 +138,7 @@ SeriesModel read_series(JsonObject in, const Shape& shape) {
   for (std::size_t lead = 0; lead < g1.size(); ++lead) {
     series.errors.thresholds.push_back({g1[lead], g2[lead]});
   }
+  series.errors.alarm = in.number("alarm", 0.0, large);
   in.finish();
   return series;
 }

@@ -152,6 +152,9 @@ PlanningSettings read_planning(YamlMap& scenario, const std::optional<Command>& 
   if (const auto model = scenario.find("model")) {
     out.model = model_path(*model);
   }
+  if (const auto test = scenario.find("innovation_test")) {
+    out.innovation_test = test->boolean();
+  }
   if (const auto balancing = scenario.find("balancing")) {
     out.balancing = read_balancing(*balancing);
   }
@@ -165,9 +168,10 @@ std::string planning_yaml(const PlanningSettings& settings) {
   for (const auto& word : settings.coordinator) {
     command += (command.empty() ? "" : ", ") + quoted(word);
   }
-  std::string text =
-      "controller: " + settings.controller + "\ncoordinator: [" + command + "]\nengine: " + settings.engine.name +
-      "\niterations: " + std::to_string(settings.engine.max_iterations) + "\nmodel: " + model + "\nbalancing:\n";
+  std::string text = "controller: " + settings.controller + "\ncoordinator: [" + command +
+                     "]\nengine: " + settings.engine.name +
+                     "\niterations: " + std::to_string(settings.engine.max_iterations) + "\nmodel: " + model +
+                     "\ninnovation_test: " + (settings.innovation_test ? "true" : "false") + "\nbalancing:\n";
   for (const Price& price : prices) {
     text += std::string("  ") + price.key + ": " + shortest(settings.balancing.*price.field) + "\n";
   }

@@ -27,14 +27,16 @@ struct PlanningSettings {
   std::string controller = "robust";
   Command coordinator;
   EngineSettings engine;
-  std::filesystem::path model;  ///< file that `evbal fit` wrote; empty: the one beside the city's pack
+  std::filesystem::path model;   ///< file that `evbal fit` wrote; empty: the one beside the city's pack
+  bool innovation_test = false;  ///< whether sets are widened where recent forecast errors leave them
   BalancingParameters balancing;
 
   /// Whether the Coordinator is to be told the future.
   bool foresees() const { return controller == "oracle"; }
 };
 
-/// Reads the planning keys of a scenario: controller, coordinator, engine, iterations, model, balancing. All may be
+/// Reads the planning keys of a scenario: controller, coordinator, engine, iterations, model,
+/// innovation_test, balancing. All may be
 /// left out; `model: pack`, the default, is the file beside the city's pack, another path is relative to the scenario's
 /// file. `coordinator` stands in place of the scenario's. Throws Error{bad_input} with file, line and reason.
 PlanningSettings read_planning(YamlMap& scenario, const std::optional<Command>& coordinator = {});

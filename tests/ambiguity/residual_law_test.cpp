@@ -27,5 +27,20 @@ TEST(ResidualLaw, LeavesOtherRegionsCertain) {
   EXPECT_EQ(last.g1, law.thresholds[0].g1);
 }
 
+TEST(Widening, IsTheRootOfWhatExceedsTheAlarm) {
+  ResidualLaw law;
+  law.alarm = 4.0;
+  EXPECT_EQ(widening(law, {.city = 4.0, .region = Eigen::Vector3d(0.0, 4.0, 9.0)}), Eigen::Vector3d(1.0, 1.0, 3.0));
+  EXPECT_EQ(widening(law, {.city = 6.25, .region = Eigen::Vector3d(0.0, 4.0, 9.0)}), Eigen::Vector3d(2.5, 2.5, 3.0));
+}
+
+TEST(Widening, MultipliesStandardDeviationsInAllSteps) {
+  const ResidualLaw law = fit_residual_law(normals(4, 300, 7), 2, {0, 1}, {.resample = 50, .replicates = 20});
+  MomentSet set = moment_set(law, Eigen::MatrixXd::Ones(2, 2), Eigen::MatrixXd::Ones(2, 2));
+  const Eigen::VectorXd before = set.standard_deviation();
+  widen(set, Eigen::Vector2d(1.0, 3.0));
+  EXPECT_TRUE(set.standard_deviation().isApprox(before.cwiseProduct(Eigen::Vector4d(1.0, 3.0, 1.0, 3.0))));
+}
+
 }  // namespace
 }  // namespace evbal

@@ -73,7 +73,11 @@ TEST(Arima, LooksAheadAsRDoes) {
     ArimaFilter filter(model);
     const auto stretches = stretches_of(r);
     for (const double y : stretches.back()) {
-      filter.observe(y);
+      const Outlook expected = filter.outlook(1);
+      const Innovation off = filter.observe(y);
+      EXPECT_EQ(std::isnan(off.value), std::isnan(y));
+      EXPECT_TRUE(std::isnan(y) || off.value == y - expected.mean(0));
+      EXPECT_EQ(off.variance, expected.variance(0));
     }
     const Outlook outlook = filter.outlook(static_cast<int>(r["mean_ahead"].size()));
     EXPECT_TRUE(near(outlook.mean, r["mean_ahead"], 1e-5)) << outlook.mean.transpose();

@@ -99,6 +99,66 @@ TEST(Coordinator, ExpectsWhatItIsToldOfDemand) {
             mean_under({.type = EffectType::charger_outage, .region = 1}, 8));
 }
 
+/// Reports of what is usual in small_city(), every 10 minutes; `more` passengers in the second region.
+std::vector<Report> usual_reports(int tick, int more) {
+  auto reports = quiet_reports(tick, 5);
+  for (Report& report : reports) {
+    report.demand = tick == 0 ? 0 : (tick % 6 == 0 ? 2 : 1) + (report.region == 1 ? more : 0);
+    report.completions = tick > 0 && tick % 6 == 0 && report.region < 2 ? 1 : 0;
+  }
+  return reports;
+}
+
+TEST(Coordinator, WidensTheSetWhereForecastsAreOff) {
+  const Spy spy;
+  PlanningSettings settings;
+  settings.innovation_test = true;
+  Coordinator coordinator(testing::small_city(), {}, date, settings, testing::small_model(), spy);
+  Coordinator untested(testing::small_city(), {}, date, {}, testing::small_model(), Spy{spy});
+  Coordinator told(testing::small_city(), {}, date, settings, testing::small_model(), Spy{});
+  const auto at_day_start = [&] {
+    coordinator.plan(at(0), usual_reports(0, 0));
+    return spy.seen->demand.standard_deviation();
+  }();
+  double most = 1.0;
+  for (int tick = 2; tick <= 60; tick += 2) {
+    const int more = tick > 12 && tick <= 24 ? 12 : 0;
+    const auto reports = usual_reports(tick, more);
+    EXPECT_EQ(untested.plan(at(tick), reports).provenance.demand_widened, 1.0);
+    EXPECT_EQ(spy.seen->demand.standard_deviation(), at_day_start);
+    Tick announced = at(tick);
+    if (tick > 10 && tick <= 22) {
+      announced.effects = {{.type = EffectType::demand_add, .region = 1, .magnitude = 72.0}};
+    }
+    EXPECT_EQ(told.plan(announced, reports).provenance.demand_widened, 1.0) << "what is announced is no surprise";
+    const Provenance made = coordinator.plan(at(tick), reports).provenance;
+    const Eigen::VectorXd factor = spy.seen->demand.standard_deviation().cwiseQuotient(at_day_start);
+    EXPECT_NEAR(factor.maxCoeff(), made.demand_widened, 1e-12);
+    EXPECT_NEAR(factor(1), factor(4), 1e-12) << "in every step";
+    EXPECT_EQ(made.completions_widened, 1.0);
+    most = std::max(most, made.demand_widened);
+    if (tick <= 12 || tick > 50) {
+      EXPECT_EQ(made.demand_widened, 1.0) << "before, and when it is over";
+    }
+  }
+  EXPECT_GT(most, 3.0);
+}
+
+TEST(Coordinator, CountsOnThePointsThatWork) {
+  const Spy spy;
+  Coordinator coordinator(testing::small_city(), {}, date, {}, testing::small_model(), spy);
+  auto reports = quiet_reports(0, 5);
+  reports[0].points = 2;
+  reports[1].points = 1;
+  coordinator.plan(at(0), reports);
+  EXPECT_EQ(spy.seen->free_points.mean.head(3), Eigen::Vector3d(2.0, 1.0, 0.0));
+  reports = quiet_reports(2, 5);
+  reports[1].points = 1;
+  coordinator.plan(at(2), reports);
+  EXPECT_EQ(spy.seen->free_points.mean.head(3), Eigen::Vector3d(0.0, 1.0, 0.0)) << "an outage is reported";
+  EXPECT_TRUE(spy.seen->points.row(0).isZero());
+}
+
 TEST(Coordinator, ForeseesWhatItWasTold) {
   const Spy spy;
   const DayClock clock;
@@ -127,6 +187,7 @@ TEST(Coordinator, TakesOverFromAnother) {
   };
   PlanningSettings settings;
   settings.controller = "nominal";
+  settings.innovation_test = true;
   const auto made = [&] {
     return Coordinator(testing::small_city(), {}, date, settings, testing::small_model(), fails_from_the_fourth_on);
   };

@@ -58,6 +58,7 @@ TEST_F(ModelFile, GivesBackEveryBit) {
   EXPECT_EQ(back.demand.seasonal.city.order, model.demand.seasonal.city.order);
   EXPECT_EQ(back.demand.errors.covariance.deviation, model.demand.errors.covariance.deviation);
   EXPECT_EQ(back.completions.errors.covariance.factors.cols(), 0);
+  EXPECT_EQ(back.completions.errors.alarm, model.completions.errors.alarm);
   EXPECT_EQ(back.periods[1].start, 16 * 60);
   EXPECT_EQ(back.periods[0].transitions.vacant_to_occupied, model.periods[0].transitions.vacant_to_occupied);
   EXPECT_EQ(written(back), text);
@@ -68,7 +69,7 @@ TEST_F(ModelFile, RefusesWhatDoesNotFit) {
   const std::string good = written(testing::small_model());
   expect_refused(good.substr(0, good.size() / 2), "JSON");
   expect_refused(replaced(good, "\"schema\"", "\"city\": \"x\", \"schema\""), "twice");
-  expect_refused(replaced(good, "\"schema\": 2", "\"schema\": 1"), "schema");
+  expect_refused(replaced(good, "\"schema\": 3", "\"schema\": 2"), "schema");
   expect_refused(replaced(good, "\"mean_session_minutes\"", "\"mean_session\""), "mean_session_minutes");
   expect_refused(replaced(good, "\"holidays\"", "\"extra\": 1, \"holidays\""), "extra");
   expect_refused(replaced(good, "\"regions\": 3", "\"regions\": 4"), "4 lists");

@@ -32,6 +32,7 @@ inline SeriesModel flat_series(double mean, int leads) {
   series.errors.covariance.deviation = Eigen::VectorXd::LinSpaced(3 * leads, 0.5, 1.5);
   series.errors.covariance.factors = Eigen::MatrixXd::Constant(3 * leads, 1, 0.3);
   series.errors.thresholds.assign(static_cast<std::size_t>(leads), {0.1, 1.2});
+  series.errors.alarm = 2.0;
   return series;
 }
 

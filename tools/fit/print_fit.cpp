@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 
 namespace evbal {
 namespace {
@@ -113,6 +114,22 @@ void print_thresholds(const char* series, const SeriesFit& fit) {
   }
 }
 
+/// Of the innovation test: its alarm, and how many regions a day exceed it.
+void print_alarm(const char* series, const SeriesFit& fit) {
+  const double alarm = fit.model.errors.alarm;
+  std::printf("%-12s alarm %6.2f, exceeded in", series, alarm);
+  const std::array<std::pair<const char*, const std::vector<HeldOutDay>*>, 2> both{
+      {{"training", &fit.training}, {"test", &fit.test}}};
+  for (const auto& [name, days] : both) {
+    const auto exceeded = [alarm](double sum, const HeldOutDay& day) {
+      return sum + static_cast<double>((day.surprise.array() > alarm).count());
+    };
+    const double times = std::accumulate(days->begin(), days->end(), 0.0, exceeded);
+    std::printf(" %.1f regions a %s day", days->empty() ? 0.0 : times / static_cast<double>(days->size()), name);
+  }
+  std::printf("\n");
+}
+
 void print_turnover(const CityFit& fit) {
   const Turnover& turnover = fit.model.turnover;
   std::printf("\nturnover on three training days; taken: phi %.1f\n", turnover.phi);
@@ -148,6 +165,9 @@ void print_fit(const City& city, const CityFit& fit) {
   print_skills(city, fit);
   print_thresholds("demand", fit.demand);
   print_thresholds("completions", fit.completions);
+  std::printf("\ninnovation test: mean square of the innovations of three steps, of a region or of the city\n");
+  print_alarm("demand", fit.demand);
+  print_alarm("completions", fit.completions);
   print_turnover(fit);
 }
 

@@ -34,6 +34,7 @@ void round(SeriesModel& model) {
   }
   round(model.errors.covariance.deviation);
   round(model.errors.covariance.factors);
+  model.errors.alarm = std::ceil(model.errors.alarm * 1e6) / 1e6;  // up: what equals it does not exceed it
 }
 
 Eigen::MatrixXd residuals_of(const std::vector<HeldOutDay>& days) {
@@ -80,6 +81,7 @@ SeriesFit fit_series(const SeriesDays& days, int step_minutes, int leads, const 
   fit.training = leave_one_day_out(days.training, step_minutes, fit.orders, leads);
   fit.model.seasonal = fit_seasonal(days.training, step_minutes, fit.orders);
   fit.model.errors = fit_residual_law(residuals_of(fit.training), leads, regions, {});
+  fit.model.errors.alarm = daily_surprise(fit.training);
   round(fit.model);
   const SeasonalMeans rival = seasonal_means(days.training);
   for (const CountDay& day : days.test) {
