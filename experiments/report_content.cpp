@@ -1,6 +1,7 @@
 #include "experiments/report_content.hpp"
 
 #include "common/error.hpp"
+#include "common/text_of_file.hpp"
 #include "coordinator/planning/city_model.hpp"
 #include "experiments/record/paired_run.hpp"
 #include "experiments/scenario/scenario.hpp"
@@ -112,11 +113,13 @@ void add_runs(const std::vector<RecordedRun>& runs, PageContent& content) {
 SweepContent sweep_content(const fs::path& folder, std::vector<std::string> against) {
   const fs::path file = folder / "sweep.sqlite";
   const auto days = read_finished(file);
-  if (against.empty()) {
+  const std::string page = text_of_file(folder / "page.md");
+  if (against.empty() && page.empty()) {
     against.push_back(days.front().variant);
   }
   return {.folder = folder.string(),
           .origin = read_origin(file),
+          .page = page,
           .days = static_cast<int>(days.size()),
           .points = swept_points(days, read_finished_steps(file, hourly_columns)),
           .answers = answers(days, against)};

@@ -14,7 +14,8 @@ namespace evbal {
 PageContent content_on(const std::vector<RecordedRun>& runs);
 
 /// The page on the finished sweep in `folder`, whose variants are compared with those named by `against` (none: the
-/// sweep's first), and on `runs`. Throws Error{bad_input} if the sweep is not finished or a name is unknown.
+/// sweep's first, unless it has its own page of answers), and on `runs`. Throws Error{bad_input} if the sweep is not
+/// finished or a name is unknown.
 PageContent content_on(const std::filesystem::path& folder, const std::vector<std::string>& against,
                        const std::vector<RecordedRun>& runs);
 

@@ -69,6 +69,7 @@ TEST(SweepSummary, AsksAtEqualCostWhereTheReferenceHasAFront) {
 TEST(SweepSummary, StandsOnThePage) {
   const SweepContent sweep{.folder = "runs/small",
                            .origin = {"small.yaml", "schema: 1\n", ""},
+                           .page = "# Small\n",
                            .days = 9,
                            .points = swept_points(small_sweep(), small_steps()),
                            .answers = answers(small_sweep(), {"ratio"})};

@@ -23,11 +23,9 @@ Json interval_json(const Interval& interval) {
 }
 
 Json point_json(const SweptPoint& point) {
-  Json json = {{"faults", point.first.faults},
-               {"variant", point.first.variant},
-               {"controller", point.first.controller},
-               {"settings", point.first.settings},
-               {"pairs", point.pairs}};
+  Json json = {{"scenario", point.first.scenario}, {"faults", point.first.faults},
+               {"variant", point.first.variant},   {"controller", point.first.controller},
+               {"settings", point.first.settings}, {"pairs", point.pairs}};
   for (const auto& [metric, mean] : point.means) {
     json["means"][metric] = rounded(mean);
   }
@@ -42,7 +40,8 @@ Json point_json(const SweptPoint& point) {
 }
 
 Json row_json(const Compared& row) {
-  return {{"faults", row.faults},
+  return {{"scenario", row.scenario},
+          {"faults", row.faults},
           {"variant", row.variant},
           {"settings", row.settings},
           {"pairs", row.pairs},
@@ -50,8 +49,10 @@ Json row_json(const Compared& row) {
           {"at", rounded(row.at)},
           {"value", rounded(row.value)},
           {"reference", rounded(row.reference)},
-          {"by_t", interval_json(row.by_t)},
-          {"by_bootstrap", interval_json(row.by_bootstrap)}};
+          {"relative", row.relative},
+          {"by_t", interval_json(row.relative ? row.by_t : row.difference)},
+          {"by_bootstrap", row.relative ? interval_json(row.by_bootstrap) : Json(nullptr)},
+          {"p_holm", rounded(row.p_holm)}};
 }
 
 Json answer_json(const Answer& answer) {
@@ -68,7 +69,7 @@ Json answer_json(const Answer& answer) {
 }  // namespace
 
 Json sweep_json(const SweepContent& sweep) {
-  Json json = {{"folder", sweep.folder}, {"file", sweep.origin.file}, {"text", sweep.origin.text},
+  Json json = {{"folder", sweep.folder}, {"file", sweep.origin.file}, {"text", sweep.origin.text}, {"page", sweep.page},
                {"days", sweep.days},     {"points", Json::array()},   {"answers", Json::array()}};
   for (const auto& point : sweep.points) {
     json["points"].push_back(point_json(point));

@@ -11,7 +11,8 @@ namespace evbal {
 struct SweepContent {
   std::string folder;
   SweepOrigin origin;
-  int days = 0;  ///< played, of all points
+  std::string page;  ///< page.md, empty if there is none
+  int days = 0;      ///< played, of all points
   std::vector<SweptPoint> points;
   std::vector<Answer> answers;
 };

@@ -9,7 +9,7 @@ namespace evbal {
 namespace {
 
 bool same_point(const FinishedDay& a, const FinishedDay& b) {
-  return a.variant == b.variant && a.faults == b.faults && a.settings == b.settings;
+  return a.variant == b.variant && a.scenario == b.scenario && a.faults == b.faults && a.settings == b.settings;
 }
 
 /// Values of the days of a point.
@@ -34,16 +34,16 @@ struct PointValues {
 };
 
 bool has_several_settings(const std::vector<FinishedDay>& days, const std::string& variant) {
-  std::set<std::map<std::string, std::string>> settings;
+  std::map<std::string, std::set<std::map<std::string, std::string>>> settings;  // by scenario, which may differ in it
   for (const auto& day : days) {
     if (day.variant == variant) {
-      settings.insert(day.settings);
+      settings[day.scenario].insert(day.settings);
     }
   }
   if (settings.empty()) {
     throw bad_input("--against: no variant is called `" + variant + "`");
   }
-  return settings.size() > 1;
+  return settings.begin()->second.size() > 1;
 }
 
 /// The questions about a reference; `suffix` stands behind every metric.

@@ -18,7 +18,7 @@ struct HourMean {
   Interval interval{};  ///< by Student's t, over days
 };
 
-/// One setting of a variant under one schedule of faults.
+/// One setting of a variant in one scenario under one schedule of faults.
 struct SweptPoint {
   FinishedDay first;                                     ///< of its days
   int pairs = 0;                                         ///< (day, seed)

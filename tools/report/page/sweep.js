@@ -1,5 +1,5 @@
 "use strict";
-// A sweep: what was run, fronts, hours of the day, means, and variants compared with intervals.
+// A sweep: what was run, and its points: fronts, hours of the day, means.
 
 const metricNames = {
   idle_km: "Idle km",
@@ -11,98 +11,135 @@ const metricNames = {
   unserved_ratio: "Lost share",
   p90_regional_loss: "Lost share, worst tenth of regions",
 };
-const lower = words => words[0].toLowerCase() + words.slice(1);
 const late = "_after_7";  // of metrics: what happens before 07:00 left out
+const lower = text => text[0].toLowerCase() + text.slice(1);
 
 const distinct = values => [...new Set(values)];
-const variants = () => distinct(report.sweep.points.map(point => point.variant));
-const schedules = () => distinct(report.sweep.points.map(point => point.faults));
-// A column of words, of the schedules of faults if there are several.
+const points = () => report.sweep.points;
+const variants = () => distinct(points().map(point => point.variant));
+const styleOf = variant => variants().indexOf(variant);
+
+// Under which a variant was played: {scenario, faults}; what of it to tell, where there are several.
+const place = ({scenario, faults}) => JSON.stringify({scenario, faults});
+const places = () => distinct(points().map(place)).map(JSON.parse);
+const told = key => distinct(points().map(point => point[key])).length > 1;
+const placeWords = at => ["scenario", "faults"].filter(told).map(key => at[key]).join(", ");
+const atPlace = at => points().filter(point => place(point) === place(at));
+
 const words = text => element("td", "text", text);
 const wordHead = text => element("th", "text", text);
-const faultHead = () => schedules().length > 1 ? [wordHead("faults")] : [];
-const faultCell = faults => schedules().length > 1 ? [words(faults)] : [];
-const styleOf = variant => variants().indexOf(variant);
-const faultWords = faults => faults === "" ? "" : ", faults: " + faults;
+const placeHead = () => ["scenario", "faults"].filter(told).map(wordHead);
+const placeCells = at => ["scenario", "faults"].filter(told).map(key => words(at[key]));
 
 // "p_ratio=8": the settings that a point's variant varies.
-function settingsOf({variant, settings}) {
-  const alike = report.sweep.points.filter(point => point.variant === variant);
+function settingsOf({variant, scenario, settings}) {
+  const alike = points().filter(point => point.variant === variant && point.scenario === scenario);
   return Object.keys(settings).filter(path => distinct(alike.map(point => point.settings[path])).length > 1)
     .map(path => path.split(".").at(-1) + "=" + settings[path]).join(" ");
 }
 
-function sweepOrigin() {
-  const {file, folder, text, days, points} = report.sweep;
+const pointName = point => [point.variant, settingsOf(point)].filter(Boolean).join(" ");
+
+function addOrigin() {
+  const {file, folder, text, days} = report.sweep;
   const rows = variants().map(variant => {
-    const own = points.filter(point => point.variant === variant);
-    return [variant, words(own[0].controller), words(distinct(own.map(settingsOf)).join(", ") || "as given"),
-      String(sum(own.map(point => point.pairs)))];
+    const own = points().filter(point => point.variant === variant);
+    return [variant, words(distinct(own.map(point => point.controller)).join(", ")),
+      words(distinct(own.map(settingsOf)).filter(Boolean).join(", ") || "as given"), String(sum(own.map(point => point.pairs)))];
   });
-  const code = text => element("code", "", text);
-  const source = element("details", "", element("summary", "", file), element("pre", "", text));
-  return section("What was run",
+  const code = words => element("code", "", words);
+  section("What was run",
     element("p", "", number(days) + " days: on each day, seed and schedule of faults every variant met the same " +
       "passengers, batteries and faults."),
     element("div", "card wide",
       table(["variant", wordHead("controller"), wordHead("settings"), "days played"], rows)),
-    element("div", "notes", element("div", "", "The same again: ", code("evbal sweep " + file + " --out DIR"), ", then ",
-      code("evbal report DIR"), ". Made from ", code(folder), "."), source));
+    element("div", "notes",
+      element("div", "", "The same again: ", code("evbal sweep " + file + " --out DIR"), ", then ",
+        code("evbal report DIR"), ". Made from ", code(folder), ".")),
+    element("details", "", element("summary", "", file), element("pre", "", text)));
 }
 
-function frontChart(faults, y) {
-  const series = variants().map(variant => ({
+// Boxes to choose variants by, `chosen` at first; `changed(chosen)` hears of every change.
+function chooser(all, chosen, changed) {
+  const boxes = all.map(variant => {
+    const box = element("input", "");
+    box.type = "checkbox";
+    box.checked = chosen.includes(variant);
+    box.addEventListener("change", () => changed(all.filter((_, i) => boxes[i].checked)));
+    return box;
+  });
+  return element("div", "controls", ...all.map((variant, i) => element("label", "", boxes[i], swatch(styleOf(variant)), variant)));
+}
+
+function frontChart(at, y, shown) {
+  const series = shown.map(variant => ({
     label: variant, style: styleOf(variant),
-    points: report.sweep.points.filter(point => point.variant === variant && point.faults === faults)
+    points: atPlace(at).filter(point => point.variant === variant)
       .map(point => ({x: point.means.idle_km, y: point.means[y], name: settingsOf(point)})).sort((a, b) => a.x - b.x),
   }));
   return {x: {label: "idle km a day"}, y: {label: lower(metricNames[y]) + " a day", fitted: true}, series};
 }
 
+// A figure for each place and column, of the variants that are chosen; `note`, and what else is to be chosen.
+function addFigures(title, note, columns, chart, chosen, ...controls) {
+  let shown = chosen;
+  const cards = places().map(at => columns.map(column =>
+    figure([column.title, placeWords(at)].filter(Boolean).join(": "), "", () => chart(at, column, shown))));
+  const redraw = () => cards.flat().forEach(card => card.redraw());
+  section(title, element("p", "note", note), ...controls.map(control => control(redraw)),
+    chooser(variants(), chosen, now => {
+      shown = now;
+      redraw();
+    }), ...cards.map(figures));
+}
+
+// Few enough to be told apart.
+const readable = all => variants().length <= 8 ? variants() : all.slice(0, 8);
+
 function addFronts() {
-  section("Fronts", element("p", "note", "Means over days, a line a variant through its settings. Left and below is " +
-    "better: less driving, fewer lost, fairer."),
-    ...schedules().map(faults => figures(["lost", "charger_wait_min", "unfairness_demand", "unfairness_charging"].map(y =>
-      figure("Idle km against " + lower(metricNames[y]) + faultWords(faults), "", () => frontChart(faults, y))))));
+  const columns = ["lost", "charger_wait_min", "unfairness_demand", "unfairness_charging"]
+    .map(metric => ({metric, title: "Idle km against " + lower(metricNames[metric])}));
+  const several = variants().filter(variant => points().some(point => point.variant === variant && settingsOf(point) !== ""));
+  addFigures("Fronts", "Means over days, a line a variant through its settings. Left and below is better: less driving, " +
+    "fewer lost, fairer.", columns, (at, {metric}, shown) => frontChart(at, metric, shown),
+    readable(several.length > 0 ? several : variants()));
 }
 
-const pointName = point => [point.variant, settingsOf(point)].filter(Boolean).join(" ");
-
-// Under these faults, of each variant the setting that drives about as far as `base` does.
-function asFarAs(base, faults) {
-  const under = report.sweep.points.filter(point => point.faults === faults);
-  const km = under.find(point => pointName(point) === pointName(base)).means.idle_km;
+// At this place, of each variant that is shown the setting that drives about as far as `base` does.
+function asFarAs(base, at, shown) {
+  const there = atPlace(at);
+  const km = there.find(point => pointName(point) === pointName(base))?.means.idle_km ?? base.means.idle_km;
   const off = point => Math.abs(point.means.idle_km - km);
-  return variants().map(variant => under.filter(point => point.variant === variant)
-    .reduce((a, b) => off(b) < off(a) || pointName(b) === pointName(base) ? b : a));
+  return shown.map(variant => there.filter(point => point.variant === variant)).filter(of => of.length > 0)
+    .map(of => of.reduce((a, b) => off(b) < off(a) || pointName(b) === pointName(base) ? b : a));
 }
 
-function sweptHoursChart(points, metric, unit) {
-  const series = points.map(point => ({
+function sweptHoursChart(shown, {metric, unit}) {
+  const hours = points()[0].hours[metric].map(([hour]) => hour);
+  const series = shown.map(point => ({
     label: pointName(point), style: styleOf(point.variant), bare: true,
     points: point.hours[metric].map(([hour, mean, low, high]) => ({
       x: 60 * hour + 30, y: mean, low: low && Math.max(0, low), high,
       name: clock(60 * hour) + " – " + clock(60 * hour + 60),
     })),
   }));
-  const hours = points[0].hours[metric].map(([hour]) => hour);
   const domain = [60 * hours[0], 60 * hours.at(-1) + 60];
   return {x: {label: "time of day", clock: true, domain}, y: {label: unit}, series};
 }
 
 function addSweptHours() {
-  const columns = [["idle_km", "km per hour"], ["lost", "passengers per hour"],
-    ["unfairness_demand", "sum of |difference|"], ["unfairness_charging", "sum of |difference|"]];
-  const first = report.sweep.points.filter(point => point.faults === report.sweep.points[0].faults);
-  let base = first[0];
-  const cards = schedules().map(faults => columns.map(([metric, unit]) => figure(
-    metricNames[metric] + " by hour" + faultWords(faults), "", () => sweptHoursChart(asFarAs(base, faults), metric, unit))));
-  const select = choice("drives about as far as", first.map(point => ({point, label: pointName(point)})), ({point}) => {
-    base = point;
-    cards.flat().forEach(card => card.redraw());
-  });
-  section("Hour by hour", element("p", "note", "Means over days with 95 % by Student's t."),
-    element("div", "controls", "Of each variant the setting that drives about as far as", select), ...cards.map(figures));
+  const units = {idle_km: "km per hour", lost: "passengers per hour", unfairness_demand: "sum of |difference|",
+    unfairness_charging: "sum of |difference|"};
+  const columns = Object.entries(units).map(([metric, unit]) => ({metric, unit, title: metricNames[metric] + " by hour"}));
+  const options = atPlace(places()[0]).map(point => ({point, label: pointName(point)}));
+  let base = options[0].point;
+  const baseChoice = redraw => element("div", "controls", "Of each variant the setting that drives about as far as",
+    choice("drives about as far as", options, ({point}) => {
+      base = point;
+      redraw();
+    }));
+  addFigures("Hour by hour", "Means over days with 95 % by Student's t.", columns,
+    (at, column, shown) => sweptHoursChart(asFarAs(base, at, shown), column), readable(variants()).slice(0, 4), baseChoice);
 }
 
 function addMeans() {
@@ -110,71 +147,16 @@ function addMeans() {
     "passenger_wait_min", "charger_wait_min"];
   const all = [...whole.map(name => [name, metricNames[name]]),
     ...whole.map(name => [name + late, metricNames[name] + ", from 07:00"])];
-  const columns = all.filter(([name]) => name in report.sweep.points[0].means);
-  const rows = report.sweep.points.map(point => [point.variant, words(settingsOf(point)), ...faultCell(point.faults),
+  const columns = all.filter(([name]) => name in points()[0].means);
+  const rows = points().map(point => [point.variant, words(settingsOf(point)), ...placeCells(point),
     ...columns.map(([name]) => brief(point.means[name]))]);
-  const head = ["variant", wordHead("settings"), ...faultHead(), ...columns.map(([, name]) => name)];
+  const head = ["variant", wordHead("settings"), ...placeHead(), ...columns.map(([, name]) => name)];
   section("A mean day", element("div", "card wide narrow", table(head, rows)));
 }
 
-const percent = share => (share > 0 ? "+" : share < 0 ? "−" : "±") + number(Math.abs(100 * share), 1);
-const range = ([, low, high]) => low === null ? "not known" : percent(low) + " … " + percent(high);
-
-// Less is better of all that is compared; an interval that holds zero shows nothing.
-const verdict = ([, low, high]) => high !== null && high < 0 ? "better" : low !== null && low > 0 ? "worse" : "";
-
-// The cells of a row of a comparison, and of the same row with what happens before 07:00 left out.
-function comparisonCells(row, after, at) {
-  const result = (interval, text) => element("td", verdict(interval), text);
-  return [
-    ...(at ? [number(row.at)] : []), brief(row.value), brief(row.reference),
-    result(row.by_t, percent(row.by_t[0]) + " %"), result(row.by_t, range(row.by_t)),
-    range(row.by_bootstrap),
-    after?.pairs > 0 ? result(after.by_t, percent(after.by_t[0]) + " %, " + range(after.by_t)) : "",
-  ];
-}
-
-function comparisonTable({metric, at, reference, rows}) {
-  const later = report.sweep.answers.find(other => other.metric === metric + late && other.reference === reference);
-  const same = row => later?.rows.find(other => ["faults", "variant", "settings"].every(key => other[key] === row[key]));
-  const head = [...(at ? [lower(metricNames[at])] : []), "mean", reference, "difference", "95 % by t", "95 % by bootstrap",
-    later ? "from 07:00 on, by t" : ""];
-  return table(["variant", wordHead("settings"), ...faultHead(), ...head, "pairs", "outside"], rows.map(row => [
-    row.variant, words(row.settings.replace(/[^ =]*[.]([^ .=]+=)/g, "$1") || "all together"), ...faultCell(row.faults),
-    ...(row.pairs > 0 ? comparisonCells(row, same(row), at) : head.map(() => "")), String(row.pairs), String(row.outside),
-  ]));
-}
-
-function addComparisons() {
-  const title = ({metric, at, reference}) =>
-    metricNames[metric] + (at ? " at equal " + lower(metricNames[at]) : "") + ", against " + reference;
-  const whole = report.sweep.answers.filter(({metric}) => !metric.endsWith(late));
-  section("Comparisons", element("p", "note", "Relative differences in per cent, pair by pair: the same day, seed and " +
-    "faults. Coloured where the interval by Student's t leaves out zero; the bootstrap's is too narrow for few days. " +
-    "Outside: pairs beyond the reference's front, compared with nothing."),
-    ...whole.map(answer => element("div", "card wide narrow", element("h3", "", title(answer)),
-      answer.refused ? element("p", "", answer.refused) : comparisonTable(answer))));
-}
-
-// What the paper reports of its robust controller against the one without robustness, beside the same of this sweep.
-function addPaper() {
-  const controllerOf = variant => report.sweep.points.find(point => point.variant === variant).controller;
-  const reported = [["unfairness_demand", "−15.78 %"], ["unfairness_charging", "−34.51 %"]];
-  const rows = reported.flatMap(([metric, paper]) => report.sweep.answers
-    .filter(answer => answer.metric === metric && controllerOf(answer.reference) === "nominal")
-    .flatMap(answer => answer.rows.filter(row => controllerOf(row.variant) === "robust" && row.pairs > 0).map(row =>
-      [metricNames[metric] + (answer.at ? " at equal " + lower(metricNames[answer.at]) : ""),
-        words([row.variant, row.settings, row.faults].filter(Boolean).join(", ")), paper,
-        percent(row.by_t[0]) + " %", range(row.by_t)])));
-  if (rows.length > 0) {
-    section("Beside the paper", element("p", "note", "The paper's method against its rival without robustness, on records " +
-      "of Shenzhen that are not public; its total cost fell by 14.49 %."),
-      element("div", "card wide", table(["", wordHead("robust"), "paper", "here", "95 % by t"], rows)));
-  }
-}
-
 function addSweep() {
-  sweepOrigin();
+  addOrigin();
+  addAnswers();
   addPaper();
   addFronts();
   addComparisons();
