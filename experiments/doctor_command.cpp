@@ -2,6 +2,7 @@
 
 #include "common/error.hpp"
 #include "common/installation.hpp"
+#include "experiments/leftovers.hpp"
 
 #include <CLI/CLI.hpp>
 #include <arpa/inet.h>
@@ -12,6 +13,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <set>
 #include <thread>
 
@@ -71,24 +73,6 @@ std::set<std::string> libraries() {
   return names;
 }
 
-/// Processes of a run whose launcher is gone: they were to end with it.
-std::vector<std::string> orphans() {
-  std::vector<std::string> found;
-  for (const auto& entry : fs::directory_iterator("/proc", fs::directory_options::skip_permission_denied)) {
-    std::ifstream status(entry.path() / "stat");
-    std::string id;
-    std::string name;
-    std::string state;
-    std::string parent;
-    const std::set<std::string> ours = {"(evbal-agent)", "(evbal-coordinat)", "(evbal-faults)",
-                                        "(evbal-bridge)"};  // cut by the kernel
-    if (status >> id >> name >> state >> parent && ours.contains(name) && parent == "1") {
-      found.push_back(name.substr(1, name.size() - 2) + " (process " + id + ")");
-    }
-  }
-  return found;
-}
-
 /// Shared memory that the bus never uses here; other programs of Fast DDS may.
 int shared_memory_files() {
   std::error_code error;
@@ -99,7 +83,7 @@ int shared_memory_files() {
   return count;
 }
 
-void examine() {
+void examine(bool clean) {
   Diagnosis diagnosis;
   const fs::path folder = own_folder();
   for (const char* program : {"evbal-agent", "evbal-coordinator", "evbal-faults", "evbal-bridge"}) {
@@ -107,12 +91,14 @@ void examine() {
                     "not beside evbal in " + folder.string() + "; build it");
   }
   diagnosis.check(loopback_works(), "UDP over 127.0.0.1", "no datagram came back; bring the loopback interface up");
-  const auto left = orphans();
-  std::string names;
-  for (const auto& name : left) {
-    names += (names.empty() ? "" : ", ") + name;
+  for (const auto& left : find_leftovers()) {
+    if (clean) {
+      left.remove();
+      diagnosis.fact("removed " + left.what);
+    } else {
+      diagnosis.check(false, left.what, "left over; `evbal doctor --clean` removes it");
+    }
   }
-  diagnosis.check(left.empty(), "no processes of earlier runs", "end " + names);
   const int files = shared_memory_files();
   diagnosis.check(files == 0, "no shared memory of Fast DDS",
                   std::to_string(files) + " files in /dev/shm; evbal makes none, remove them if no other program does");
@@ -128,7 +114,11 @@ void examine() {
 }  // namespace
 
 void add_doctor_command(CLI::App& app) {
-  app.add_subcommand("doctor", "Say what this machine lacks and what earlier runs left over")->callback(examine);
+  CLI::App* command =
+      app.add_subcommand("doctor", "Say what this machine lacks and what runs left over that broke off");
+  const auto clean = std::make_shared<bool>(false);
+  command->add_flag("--clean", *clean, "Remove what they left over");
+  command->callback([clean] { examine(*clean); });
 }
 
 }  // namespace evbal

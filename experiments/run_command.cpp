@@ -3,6 +3,7 @@
 #include "common/error.hpp"
 #include "common/interrupt.hpp"
 #include "experiments/monte_carlo.hpp"
+#include "experiments/out_folder.hpp"
 #include "experiments/record/paired_run.hpp"
 #include "experiments/record/recorded_run.hpp"
 #include "experiments/record/text.hpp"
@@ -43,13 +44,6 @@ fs::path claim_folder(const Scenario& scenario) {
     if (fs::create_directory(folder)) {
       return folder;
     }
-  }
-}
-
-/// Refused before any work is done for it.
-void refuse_used(const fs::path& folder) {
-  if (fs::exists(folder) && !(fs::is_directory(folder) && fs::is_empty(folder))) {
-    throw bad_input("--out: " + folder.string() + " is there and not an empty directory; give a new one");
   }
 }
 
@@ -134,10 +128,8 @@ void run(const Arguments& arguments) {
   catch_interrupts();
   const Scenario scenario = read_scenario(find_scenario(arguments.scenario), arguments.overrides);
   check_planning(scenario);
-  if (!arguments.out.empty()) {
-    refuse_used(arguments.out);
-  }
-  const fs::path folder = arguments.out.empty() ? claim_folder(scenario) : fs::path(arguments.out);
+  const OutFolder out(arguments.out.empty() ? claim_folder(scenario) : fs::path(arguments.out));
+  const fs::path& folder = out.path();
   try {
     if (scenario.draws.size() > 1) {
       const bool over_bus = arguments.overrides.transport == "dds" || own_transport(scenario) == "dds";
@@ -174,7 +166,8 @@ void add_run_command(CLI::App& app) {
   command->add_option("--transport", arguments->overrides.transport, "dds: processes on a bus; inproc: one process");
   command->add_option("--regions-per-process", arguments->overrides.regions_per_process, "Regions that an agent hosts");
   command->add_option("--engine", arguments->overrides.engine, "Solver of the balancing problem");
-  command->add_option("--out", arguments->out, "Run directory, new or empty; otherwise one under runs/");
+  command->add_option("--out", arguments->out,
+                      "Run directory, new, empty or of a run that broke off; otherwise one under runs/");
   command->add_flag("--quiet", arguments->quiet, "Print the run directories only");
   command->callback([arguments] { run(*arguments); });
 }

@@ -24,7 +24,7 @@ bool is_free(const fs::path& folder) {
   return std::all_of(begin(entries), end(entries), [](const auto& entry) { return entry.is_directory(); });
 }
 
-/// Makes `folder` and says whether it was not there before.
+/// Makes `folder`, with its mark before anything else is in it, and says whether it was not there before.
 bool prepare(const fs::path& folder) {
   std::error_code error;
   if (fs::exists(folder, error) && !(fs::is_directory(folder, error) && is_free(folder))) {
@@ -34,6 +34,7 @@ bool prepare(const fs::path& folder) {
   if (error) {
     throw bad_input(folder.string() + ": cannot be made (" + error.message() + "); give another one with --out");
   }
+  write_file(folder / "INCOMPLETE", "recorded nothing\n");
   return created;
 }
 

@@ -1,0 +1,106 @@
+// What is left of a run whose launcher was killed, and who removes it.
+
+#include "tests/run/evbal/command_line.hpp"
+
+#include <gtest/gtest.h>
+#include <spawn.h>
+
+#include <chrono>
+#include <csignal>
+#include <functional>
+#include <thread>
+
+namespace evbal {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Waits up to a minute.
+bool comes_true(const std::function<bool()>& condition) {
+  for (int i = 0; i < 6000 && !condition(); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return condition();
+}
+
+/// Whether a process has `word` in its command line.
+bool runs(const std::string& word) {
+  for (const auto& entry : fs::directory_iterator("/proc")) {
+    if (text_of(entry.path() / "cmdline").find(word) != std::string::npos) {
+      return true;
+    }
+  }
+  return false;
+}
+
+TEST(Aftermath, OfAKilledLauncherIsInNobodysWay) {
+  const CommandLine line;
+  const fs::path run = line.path() / "runs" / "a";
+  const std::string command = "run morning.yaml --transport dds --controller robust --quiet --out " + run.string();
+  const pid_t launcher = line.start(command);
+  ASSERT_TRUE(comes_true([&] {
+    const std::string mark = text_of(run / "INCOMPLETE");
+    return mark.find("of 36") != std::string::npos && mark.find("recorded 0 ") == std::string::npos;
+  }));
+  EXPECT_EQ(line.evbal(command).status, 2) << "a run goes on there";
+  kill(launcher, SIGKILL);
+  wait_for(launcher);
+  EXPECT_TRUE(fs::exists(run / "INCOMPLETE"));
+  EXPECT_TRUE(fs::exists(run / "journals"));
+  EXPECT_TRUE(comes_true([&] { return !runs(run.string()); })) << "the run's processes end with it";
+  const std::string journals = "runs/a/journals, of a run that broke off";
+  EXPECT_NE(line.evbal("doctor").out.find(journals), std::string::npos);
+  EXPECT_TRUE(fs::exists(run / "journals"));
+  EXPECT_NE(line.evbal("doctor --clean").out.find("removed " + journals), std::string::npos);
+  EXPECT_FALSE(fs::exists(run / "journals"));
+  EXPECT_TRUE(fs::exists(run / "run.sqlite")) << "a record is not left over";
+
+  const Ended again = line.evbal(command);
+  EXPECT_EQ(again.status, 0) << again.err;
+  EXPECT_FALSE(fs::exists(run / "INCOMPLETE"));
+  EXPECT_EQ(line.evbal(command).status, 2) << "a record that is complete is kept";
+  EXPECT_EQ(line.evbal("doctor").out.find(journals), std::string::npos);
+}
+
+TEST(Aftermath, OfAProcessThatDidNotEndIsRemoved) {
+  const CommandLine line;
+  ASSERT_EQ(line.evbal("run morning.yaml --controller none --quiet --out a").status, 0);
+  int input[2];
+  ASSERT_EQ(pipe(input), 0);
+  std::vector<std::string> words = {"evbal-agent",
+                                    "--name",
+                                    "agent-0",
+                                    "--run",
+                                    "1-12345",
+                                    "--domain",
+                                    "90",
+                                    "--participant",
+                                    "3",
+                                    "--participants",
+                                    "8",
+                                    "--scenario",
+                                    line.path() / "a" / "scenario.resolved.yaml",
+                                    "--journal",
+                                    line.path() / "journal"};
+  std::vector<char*> pointers;
+  for (auto& word : words) {
+    pointers.push_back(word.data());
+  }
+  pointers.push_back(nullptr);
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_adddup2(&files, input[0], STDIN_FILENO);
+  pid_t agent = 0;
+  const std::string program = fs::path(EVBAL_PROGRAM).parent_path() / "evbal-agent";
+  ASSERT_EQ(posix_spawn(&agent, program.c_str(), &files, nullptr, pointers.data(), environ), 0);
+  const std::string name = "evbal-agent (process " + std::to_string(agent) + ") of run 1-12345";
+  ASSERT_TRUE(comes_true([&] { return line.evbal("doctor").out.find(name) != std::string::npos; }));
+  EXPECT_EQ(kill(agent, 0), 0);
+  EXPECT_NE(line.evbal("doctor --clean").out.find("removed " + name), std::string::npos);
+  int status = 0;
+  waitpid(agent, &status, 0);
+  EXPECT_TRUE(WIFSIGNALED(status));
+}
+
+}  // namespace
+}  // namespace evbal
