@@ -10,6 +10,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -141,6 +142,25 @@ RC_GTEST_PROP(RunDay, KeepsBatteriesWithinBounds, ()) {
         RC_ASSERT(car.vehicle.battery_kwh >= 0.0);
         RC_ASSERT(car.vehicle.battery_kwh <= world.city.fleet.battery_kwh);
         RC_ASSERT(car.arrival_minute > car.minute);
+      }
+    }
+  }
+}
+
+// Under any fault of the world, slow traffic too: minutes of arrival need no law of errors.
+RC_GTEST_PROP(RunDay, LetsVehiclesArriveInTheMinuteThatWasReported, ()) {
+  const World world = *small_worlds();
+  std::map<int, std::pair<int, int>> due;  // region and minute, by vehicle
+  for (const auto& record : wander_through(world, *faults_for(world), 8)) {
+    for (const Arrival& arrival : record.tick.arrivals) {
+      const auto told = due.find(arrival.vehicle.id);
+      const bool as_told =
+          told == due.end() ? record.tick.tick == 0 : told->second == std::pair(arrival.region, arrival.minute);
+      RC_ASSERT(as_told);
+    }
+    for (const auto& departures : record.exchange.departures) {
+      for (const Departure& car : departures.departures) {
+        due[car.vehicle.id] = {car.to, car.arrival_minute};
       }
     }
   }
