@@ -75,8 +75,12 @@ class IngestTrips : public testing::Test {
     folder_.write("trips/a.csv", trips_csv());
     folder_.write("sessions/a.csv",
                   "Start Date,Start Time,End Date,End Time,Model\n01/12/2017,12:00,01/12/2017,12:20,Rapid\n");
-    sources_ = {folder_.path() / "trips", folder_.write("zones.geojson", zones_geojson()), folder_.path() / "sessions",
-                folder_.write("notes.yaml", kNotes), 6};
+    sources_ = {folder_.path() / "trips",
+                {},
+                folder_.write("zones.geojson", zones_geojson()),
+                folder_.path() / "sessions",
+                folder_.write("notes.yaml", kNotes),
+                6};
   }
 
   void expect_refused(const std::string& reason) {
@@ -142,7 +146,7 @@ TEST_F(IngestTrips, CountsEveryTripInItsStep) {
 
 TEST_F(IngestTrips, RefusesWhatIsNoInput) {
   folder_.write("trips/b.csv", "cab,when\n");
-  expect_refused("b.csv:1: the first line must be");
+  expect_refused("b.csv:1: has no column `pickup_unix`");
   folder_.write("trips/b.csv", text_of(folder_.path() / "trips/a.csv"));
   folder_.write("zones.geojson", zones_geojson().substr(0, 500));
   expect_refused("zones.geojson: is no GeoJSON");

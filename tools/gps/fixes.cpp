@@ -9,9 +9,8 @@
 namespace evbal {
 namespace {
 
-constexpr long long kLastSecond = 253'402'300'799;  // year 9999
-constexpr long long kTellEvery = 100'000;           // rows
-constexpr long long kRowsToJudge = 100;             // a table none of whose first rows is sound is another table
+constexpr long long kTellEvery = 100'000;  // rows
+constexpr long long kRowsToJudge = 100;    // a table none of whose first rows is sound is another table
 
 using LastTimes = std::map<std::string, long long, std::less<>>;  ///< of each vehicle's last fix
 
@@ -91,18 +90,13 @@ class FixReader {
 
  private:
   const char* read_time(std::string_view text, long long& time) const {
-    const auto shown = format_.time_form == GpsFormat::Time::unix_seconds ? parse_integer(text) : parse_time(text);
-    if (!shown || *shown < 0 || *shown > kLastSecond) {
-      return kMalformed;
-    }
-    time = *shown;
-    if (format_.time_form == GpsFormat::Time::local) {
-      const auto possible = format_.clock.utc(*shown);
-      if (possible.empty()) {
+    switch (read_record_time(text, format_.time_form, format_.clock, at_->second, time)) {
+      case TimeFault::malformed:
+        return kMalformed;
+      case TimeFault::skipped_by_clocks:
         return "at a local time that the clocks skipped";
-      }
-      const auto later = std::upper_bound(possible.begin(), possible.end(), at_->second);
-      time = later == possible.end() ? possible.back() : *later;
+      case TimeFault::none:
+        break;
     }
     return nullptr;
   }

@@ -54,7 +54,7 @@ GpsFormat read_gps_format(const std::filesystem::path& file) {
   format.lon = add_column(format.table, columns.require("lon"));
   format.occupied = add_column(format.table, columns.require("occupied"));
   columns.finish();
-  format.time_form = static_cast<GpsFormat::Time>(map.require("time").one_of({"unix", "utc", "local"}));
+  format.time_form = read_time_form(map);
   format.occupied_word = map.require("occupied").text();
   const YamlValue free_word = map.require("free");
   format.free_word = free_word.text();

@@ -2,6 +2,7 @@
 
 #include "tools/records/local_clock.hpp"
 #include "tools/records/raw_table.hpp"
+#include "tools/records/record_time.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -20,8 +21,6 @@ struct ChargingRule {
 /// What GPS records do not say of themselves (docs/ingest.md): read from a small YAML file such as
 /// tools/gps/san-francisco.yaml.
 struct GpsFormat {
-  enum class Time { unix_seconds, utc, local };
-
   TableFormat table;
   std::optional<std::size_t> vehicle;  ///< columns; without this one the file's name tells the vehicle:
   std::string file_prefix;             ///< what stands between these two, without .gz or .xz
@@ -30,7 +29,7 @@ struct GpsFormat {
   std::size_t lat = 0;
   std::size_t lon = 0;
   std::size_t occupied = 0;
-  Time time_form = Time::unix_seconds;
+  TimeForm time_form = TimeForm::unix_seconds;
   std::string occupied_word;  ///< what the column `occupied` shows with passengers
   std::string free_word;      ///< and without
   LocalClock clock{0};

@@ -92,8 +92,11 @@ void add_trips(CLI::App& ingest) {
   const auto arguments = std::make_shared<Arguments>();
   TripSources& sources = arguments->sources;
   CLI::App* command = ingest.add_subcommand("trips", "Make a city of trip records and polygons");
-  command->add_option("--trips", sources.trips, "Folder of trip tables, .csv or .csv.gz")->required();
-  command->add_option("--zones", sources.zones, "GeoJSON of the polygons to merge, plain or .gz")->required();
+  command->add_option("--trips", sources.trips, "Folder of trip tables, .csv or .txt, plain, .gz or .xz")->required();
+  command->add_option("--format", sources.format,
+                      "YAML of where their columns are and what they mean; without it, as `ingest gps` writes them");
+  command->add_option("--zones", sources.zones, "Polygons to merge: GeoJSON, plain or compressed, or a shapefile")
+      ->required();
   command->add_option("--sessions", sources.sessions, "Folder of charging sessions")->required();
   command->add_option("--notes", sources.notes, "YAML of what the records do not say: days, fleet, chargers, limits")
       ->required();

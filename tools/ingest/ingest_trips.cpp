@@ -32,13 +32,36 @@ LatLon rounded(LatLon point) {
   return {rounded(point.lat, 1e5), rounded(point.lon, 1e5)};
 }
 
-ZoneWeights weigh_zones(const TripSources& sources, const CityNotes& notes, const std::vector<Zone>& zones) {
+/// The trips of the sources, to be streamed as often as one likes.
+class TripStream {
+ public:
+  TripStream(const TripSources& sources, const CityNotes& notes)
+      : format_(sources.format.empty() ? own_trip_format() : read_trip_format(sources.format)),
+        zones_(read_zones(sources.zones, {.name = format_.zone_field, .weight = {}})),
+        folder_(sources.trips),
+        notes_(notes) {}
+
+  RowCount for_each(const std::function<void(const Trip&)>& use) const {
+    return for_each_trip(folder_, format_, zones_, notes_, use);
+  }
+
+  const std::vector<Zone>& zones() const { return zones_; }
+
+ private:
+  TripFormat format_;
+  std::vector<Zone> zones_;
+  std::filesystem::path folder_;
+  const CityNotes& notes_;
+};
+
+ZoneWeights weigh_zones(const TripSources& sources, const CityNotes& notes, const TripStream& trips_on_record) {
+  const std::vector<Zone>& zones = trips_on_record.zones();
   const std::vector<Outline> outlines = outlines_of(zones);
   const OutlineMap map(outlines);
   ZoneWeights weights{std::vector<double>(zones.size(), 0.0), {}};
   double trips = 0.0;
   const auto& training = notes.city.train_days;
-  for_each_trip(sources.trips, notes, [&](const Trip& trip) {
+  trips_on_record.for_each([&](const Trip& trip) {
     const auto zone = map.containing(trip.from);
     if (zone && std::binary_search(training.begin(), training.end(), notes.city.days[trip.day])) {
       weights.pickups[*zone] += 1.0;
@@ -96,13 +119,14 @@ class RegionFinder {
   std::unique_ptr<OutlineMap> map_;
 };
 
-Counts count_trips(const TripSources& sources, const CityNotes& notes, const RegionFinder& finder, TravelSums& travel) {
+Counts count_trips(const TripSources& sources, const CityNotes& notes, const TripStream& trips_on_record,
+                   const RegionFinder& finder, TravelSums& travel) {
   const int regions = sources.regions;
   Counts counts;
   counts.days.resize(notes.city.days.size());
   counts.ends = Eigen::VectorXd::Zero(regions);
   counts.pickups = counts.ends;
-  counts.rows = for_each_trip(sources.trips, notes, [&](const Trip& trip) {
+  counts.rows = trips_on_record.for_each([&](const Trip& trip) {
     const auto from = finder.find(trip.from);
     const auto to = finder.find(trip.to);
     if (from.region < 0 || to.region < 0) {
@@ -199,12 +223,13 @@ IngestedCity ingest_trips(const TripSources& sources) {
   if (notes.stations > sources.regions) {
     throw bad_input(sources.notes.string(), 0, "more stations than regions; give at most one a region");
   }
-  const std::vector<Zone> zones = read_zones(sources.zones);
-  const ZoneWeights weights = weigh_zones(sources, notes, zones);
+  const TripStream trips(sources, notes);
+  const std::vector<Zone>& zones = trips.zones();
+  const ZoneWeights weights = weigh_zones(sources, notes, trips);
   const MergedZones merged = merge_zones(zones, weights, notes, sources.regions);
   const RegionFinder finder(zones, merged.region_of, notes.snap_m);
   TravelSums travel(sources.regions, weights.mean_pickup);
-  const Counts counts = count_trips(sources, notes, finder, travel);
+  const Counts counts = count_trips(sources, notes, trips, finder, travel);
   const SessionSample sessions =
       read_sessions(sources.sessions, notes.session_model, notes.shortest_session, notes.longest_session);
 

@@ -10,7 +10,8 @@ namespace evbal {
 
 struct TripSources {
   std::filesystem::path trips;     ///< folder of trip tables (for_each_trip)
-  std::filesystem::path zones;     ///< GeoJSON of polygons to merge (read_zones)
+  std::filesystem::path format;    ///< of the tables (read_trip_format); empty: own_trip_format
+  std::filesystem::path zones;     ///< polygons to merge (read_zones)
   std::filesystem::path sessions;  ///< folder of charging sessions (read_sessions)
   std::filesystem::path notes;     ///< what the records do not say (read_notes)
   int regions = 54;                ///< with those apart

@@ -46,7 +46,7 @@ CityNotes read_notes(const std::filesystem::path& file) {
   CityNotes notes;
   notes.city.name = map.require("name").text();
   notes.city.source = map.require("source").text();
-  notes.utc_offset = map.require("utc_offset_minutes").integer(-14 * 60, 14 * 60);
+  notes.clock = read_local_clock(map);
   read_clock(map, notes.city);
   read_days(map.require("days"), notes.city);
   read_trip_limits(map.require("trips"), notes);

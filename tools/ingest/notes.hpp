@@ -1,6 +1,7 @@
 #pragma once
 
 #include "agents/city/city.hpp"
+#include "tools/records/local_clock.hpp"
 
 #include <filesystem>
 #include <string>
@@ -10,8 +11,8 @@ namespace evbal {
 
 /// What raw records do not say about a city: read from a small YAML file such as tools/ingest/san-francisco.yaml.
 struct CityNotes {
-  City city;           ///< name, source, clock, days, fleet, passengers and the chargers' power
-  int utc_offset = 0;  ///< minutes that local time is ahead of UTC
+  City city;  ///< name, source, hours, days, fleet, passengers and the chargers' power
+  LocalClock clock{0};
 
   /// Which trips count.
   double shortest_minutes = 1.0;

@@ -2,18 +2,19 @@
 
 #include "agents/city/geometry.hpp"
 #include "agents/city/table.hpp"
+#include "tools/ingest/zone_places.hpp"
 #include "tools/records/lines.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <optional>
+#include <limits>
 
 namespace evbal {
 namespace {
 
-const std::string kHeader = "cab,pickup_unix,pickup_lat,pickup_lon,dropoff_unix,dropoff_lat,dropoff_lon";
-constexpr long long kLastSecond = 253'402'300'799;  // year 9999
+constexpr long long kRowsToJudge = 100;  // a table none of whose first rows is sound is another table
+constexpr const char* kMalformed = "malformed row";
 
 struct Row {
   long long pickup = 0;  ///< UTC seconds
@@ -22,32 +23,55 @@ struct Row {
   LatLon to;
 };
 
-std::optional<LatLon> parse_point(const std::string& lat_text, const std::string& lon_text) {
-  const auto lat = parse_number(lat_text);
-  const auto lon = parse_number(lon_text);
-  const bool sound = lat && lon && std::abs(*lat) <= 90.0 && std::abs(*lon) <= 180.0;
-  return sound ? std::optional(LatLon{*lat, *lon}) : std::nullopt;
-}
+/// Reads the rows of tables, or says why not.
+class RowReader {
+ public:
+  RowReader(const TripFormat& format, const std::vector<Zone>& zones, const LocalClock& clock)
+      : format_(format), zones_(zones), clock_(clock) {}
 
-std::optional<long long> parse_time(const std::string& text) {
-  const auto seconds = parse_integer(text);
-  return seconds && *seconds >= 0 && *seconds <= kLastSecond ? seconds : std::nullopt;
-}
+  /// Null if `row` was filled in, else the reason. `number` is the row's, which places in zones are drawn by.
+  const char* read(const RawTable& table, long long number, Row& row) const {
+    if (!table.whole()) {
+      return kMalformed;
+    }
+    const char* reason = read_time(table.text(format_.pickup.time), std::numeric_limits<long long>::min(), row.pickup);
+    reason = reason ? reason : read_time(table.text(format_.dropoff.time), row.pickup - 1, row.dropoff);
+    reason = reason ? reason : read_place(table, format_.pickup, 2 * number, row.from);
+    return reason ? reason : read_place(table, format_.dropoff, 2 * number + 1, row.to);
+  }
 
-std::optional<Row> parse_row(const std::string& line) {
-  const auto fields = split_csv(line);
-  if (fields.size() != 7) {
-    return std::nullopt;
+ private:
+  const char* read_time(std::string_view text, long long after, long long& time) const {
+    switch (read_record_time(text, format_.time_form, clock_, after, time)) {
+      case TimeFault::malformed:
+        return kMalformed;
+      case TimeFault::skipped_by_clocks:
+        return "at a local time that the clocks skipped";
+      case TimeFault::none:
+        break;
+    }
+    return nullptr;
   }
-  const auto pickup = parse_time(fields[1]);
-  const auto dropoff = parse_time(fields[4]);
-  const auto from = parse_point(fields[2], fields[3]);
-  const auto to = parse_point(fields[5], fields[6]);
-  if (!pickup || !dropoff || !from || !to) {
-    return std::nullopt;
+
+  const char* read_place(const RawTable& table, const TripFormat::End& end, long long draw, LatLon& place) const {
+    if (!format_.zone_field.empty()) {
+      const auto found = zones_.place(table.text(end.zone), static_cast<std::uint64_t>(draw));
+      place = found.value_or(place);
+      return found ? nullptr : "in a zone without polygon";
+    }
+    const auto lat = parse_number(table.text(end.lat));
+    const auto lon = parse_number(table.text(end.lon));
+    if (!lat || !lon || std::abs(*lat) > 90.0 || std::abs(*lon) > 180.0) {
+      return kMalformed;
+    }
+    place = {*lat, *lon};
+    return nullptr;
   }
-  return Row{*pickup, *dropoff, *from, *to};
-}
+
+  const TripFormat& format_;
+  ZonePlaces zones_;
+  const LocalClock& clock_;
+};
 
 /// ISO date of a local time in seconds.
 std::string date_of(std::chrono::sys_seconds local) {
@@ -60,11 +84,11 @@ std::string date_of(std::chrono::sys_seconds local) {
 /// Makes trips of rows, or says why not.
 class Sieve {
  public:
-  explicit Sieve(const CityNotes& notes) : notes_(notes) {}
+  Sieve(const CityNotes& notes, bool by_zone) : notes_(notes), by_zone_(by_zone) {}
 
   /// Empty if `trip` was filled in, else the reason.
   std::string pass(const Row& row, Trip& trip) const {
-    const std::chrono::sys_seconds local{std::chrono::seconds(row.pickup + 60LL * notes_.utc_offset)};
+    const std::chrono::sys_seconds local{std::chrono::seconds(notes_.clock.local(row.pickup))};
     const auto& days = notes_.city.days;
     const auto day = std::lower_bound(days.begin(), days.end(), date_of(local));
     if (day == days.end() || *day != date_of(local)) {
@@ -88,35 +112,40 @@ class Sieve {
     }
     const double straight_km = distance(LocalFrame(row.from).local(row.to), {}) / 1000.0;
     trip.km = notes_.detour * straight_km;
-    return straight_km > notes_.fastest_kmh * trip.minutes / 60.0 ? "too fast" : "";
+    return !by_zone_ && straight_km > notes_.fastest_kmh * trip.minutes / 60.0 ? "too fast" : "";
   }
 
  private:
   const CityNotes& notes_;
+  bool by_zone_;  ///< places are drawn and tell no speed
 };
 
 }  // namespace
 
-RowCount for_each_trip(const std::filesystem::path& folder, const CityNotes& notes,
-                       const std::function<void(const Trip&)>& use) {
-  const Sieve sieve(notes);
+RowCount for_each_trip(const std::filesystem::path& folder, const TripFormat& format, const std::vector<Zone>& zones,
+                       const CityNotes& notes, const std::function<void(const Trip&)>& use) {
+  const RowReader reader(format, zones, notes.clock);
+  const Sieve sieve(notes, !format.zone_field.empty());
   RowCount count;
-  std::string line;
-  for (const auto& file : csv_files(folder)) {
-    LineReader lines(file);
-    if (!lines.next(line) || line != kHeader) {
-      throw lines.error("the first line must be `" + kHeader + "`");
-    }
-    while (lines.next(line)) {
-      ++count.read;
+  for (const auto& file : text_files(folder)) {
+    RawTable table(file, format.table);
+    long long rows = 0;
+    long long malformed = 0;
+    while (table.next()) {
+      ++rows;
+      Row row;
       Trip trip;
-      const auto row = parse_row(line);
-      const std::string reason = row ? sieve.pass(*row, trip) : "malformed row";
+      const char* unread = reader.read(table, count.read++, row);
+      const std::string reason = unread ? unread : sieve.pass(row, trip);
       if (reason.empty()) {
         ++count.used;
         use(trip);
-      } else {
-        ++count.dropped[reason];
+        continue;
+      }
+      ++count.dropped[reason];
+      malformed += unread == kMalformed ? 1 : 0;
+      if (rows == kRowsToJudge && malformed == rows) {
+        throw table.error("and all rows before it are malformed; is the description of this table?");
       }
     }
   }

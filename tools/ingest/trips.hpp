@@ -1,6 +1,8 @@
 #pragma once
 
 #include "tools/ingest/notes.hpp"
+#include "tools/ingest/trip_format.hpp"
+#include "tools/ingest/zones.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -27,10 +29,10 @@ struct RowCount {
 };
 
 /// Reads every trip table of `folder` as a stream, in the order of the files' names, and hands over the trips that
-/// count. Columns: cab, pickup_unix, pickup_lat, pickup_lon, dropoff_unix, dropoff_lat, dropoff_lon (UTC seconds,
-/// WGS84). Rows that do not count are dropped by reason. Throws Error{bad_input} on another header or a truncated
-/// file.
-RowCount for_each_trip(const std::filesystem::path& folder, const CityNotes& notes,
-                       const std::function<void(const Trip&)>& use);
+/// count. Ends that are known by zone are spread evenly over it: such a trip is never too fast. Rows that do not count
+/// are dropped by reason. Throws Error{bad_input} with file and line if a file is truncated, lacks a column, or if all
+/// of its first hundred rows are malformed.
+RowCount for_each_trip(const std::filesystem::path& folder, const TripFormat& format, const std::vector<Zone>& zones,
+                       const CityNotes& notes, const std::function<void(const Trip&)>& use);
 
 }  // namespace evbal

@@ -86,7 +86,22 @@ void read_trip_table(std::string_view bytes) {
   CityNotes notes;
   notes.city.days = {"2008-05-18"};
   write("trips/trips.csv", bytes);
-  for_each_trip(folder() / "trips", notes, [](const Trip&) {});
+  for_each_trip(folder() / "trips", own_trip_format(), {}, notes, [](const Trip&) {});
+}
+
+void read_trips_by_zone(std::string_view bytes) {
+  static const TripFormat format = read_trip_format(write(
+      "trips.yaml",
+      "columns: {pickup_time: p, dropoff_time: d, pickup_zone: f, dropoff_zone: t}\ntime: local\nzone_field: id\n"));
+  static const std::vector<Zone> zones =
+      read_zones(write("zones.geojson", R"({"features": [{"properties": {"id": 1}, "geometry": {"type": "Polygon",)"
+                                        R"( "coordinates": [[[114, 22], [114.1, 22], [114, 22.1], [114, 22]]]}}]})"),
+                 {.name = "id", .weight = {}});
+  CityNotes notes;
+  notes.city.days = {"2008-11-02"};
+  notes.clock = LocalClock(-420, {{1225616400, -480}});
+  write("trips/trips.csv", bytes);
+  for_each_trip(folder() / "trips", format, zones, notes, [](const Trip&) {});
 }
 
 void read_session_table(std::string_view bytes) {
@@ -105,7 +120,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace evbal;
   static constexpr void (*readers[])(std::string_view){read_gps,           read_local_gps,      read_shapefile,
                                                        read_geojson,       read_stations_table, read_trip_table,
-                                                       read_session_table, read_pack_files};
+                                                       read_session_table, read_pack_files,     read_trips_by_zone};
   if (size == 0) {
     return 0;
   }

@@ -1,0 +1,37 @@
+#include "tools/records/record_time.hpp"
+
+#include "agents/city/table.hpp"
+
+#include <algorithm>
+
+namespace evbal {
+namespace {
+
+constexpr long long kLastSecond = 253'402'300'799;  // year 9999
+
+}  // namespace
+
+TimeForm read_time_form(YamlMap& map) {
+  return static_cast<TimeForm>(map.require("time").one_of({"unix", "utc", "local"}));
+}
+
+TimeFault read_record_time(std::string_view text, TimeForm form, const LocalClock& clock, long long after,
+                           long long& time) {
+  const auto shown = form == TimeForm::unix_seconds ? parse_integer(text) : parse_time(text);
+  if (!shown || *shown < 0 || *shown > kLastSecond) {
+    return TimeFault::malformed;
+  }
+  if (form != TimeForm::local) {
+    time = *shown;
+    return TimeFault::none;
+  }
+  const auto possible = clock.utc(*shown);
+  if (possible.empty()) {
+    return TimeFault::skipped_by_clocks;
+  }
+  const auto later = std::upper_bound(possible.begin(), possible.end(), after);
+  time = later == possible.end() ? possible.back() : *later;
+  return TimeFault::none;
+}
+
+}  // namespace evbal

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "tools/records/local_clock.hpp"
+
+#include <string_view>
+
+namespace evbal {
+
+/// How the tables of records tell the time.
+enum class TimeForm {
+  unix_seconds,
+  utc,    ///< "2008-05-18 07:31:05"
+  local,  ///< the same as clocks show it
+};
+
+/// Reads the key `time`: unix, utc or local.
+TimeForm read_time_form(YamlMap& map);
+
+/// What a time of the records may turn out to be, beside a time.
+enum class TimeFault { none, malformed, skipped_by_clocks };
+
+/// Puts UTC seconds into `time`; a local time that clocks show twice is the first one after `after`. Nothing is put if
+/// it is no time, or one that the clocks skipped.
+TimeFault read_record_time(std::string_view text, TimeForm form, const LocalClock& clock, long long after,
+                           long long& time);
+
+}  // namespace evbal
