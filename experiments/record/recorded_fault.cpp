@@ -28,6 +28,14 @@ std::vector<RecordedFault> read_faults(const std::filesystem::path& file) {
     seen.seen_regions.insert(observed.getColumn(2).getInt());
     seen.evicted += observed.getColumn(4).getInt();
   }
+  SQLite::Statement fallen(database, "SELECT tick FROM plans WHERE provenance_fallback <> 'none'");
+  while (fallen.executeStep()) {
+    for (auto& seen : faults) {
+      if (const int tick = fallen.getColumn(0).getInt(); seen.type.starts_with("solver.") && seen.said.contains(tick)) {
+        seen.amount[tick] = 1.0;
+      }
+    }
+  }
   return faults;
 }
 

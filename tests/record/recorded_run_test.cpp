@@ -9,6 +9,29 @@
 namespace evbal {
 namespace {
 
+TEST(RecordedRun, SeesSolverFaultsInThePlansThatFellBack) {
+  const Folder folder;
+  RunHeader header = small_header();
+  header.faults = {{.name = "fail", .type = "solver.fail", .start = 0, .end = 5}};
+  auto day = small_day();
+  for (auto& tick : day) {
+    tick.faults.effects.clear();
+  }
+  day[2].exchange.departures[1].observed.clear();
+  day[0].faults.effects = {{.fault = 0, .type = EffectType::solver_fail, .region = no_region}};
+  day[0].exchange.plan->provenance.fallback = FallbackLevel::nominal;
+  day[2].exchange.plan->provenance.fallback = FallbackLevel::nominal;  // of itself, without the fault
+  RunRecord record(folder.path() / "run", header);
+  for (const auto& tick : day) {
+    record.add(tick);
+  }
+  record.finish();
+  const auto faults = read_faults(folder.path() / "run" / "run.sqlite");
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults[0].said, (std::map<int, std::set<int>>{{0, {no_region}}}));
+  EXPECT_EQ(faults[0].amount, (std::map<int, double>{{0, 1.0}}));
+}
+
 TEST(RecordedRun, GivesRegionsAndFaultsBack) {
   const Folder folder;
   const auto run_folder = folder.path() / "run";

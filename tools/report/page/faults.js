@@ -5,6 +5,7 @@
 const amountUnits = [
   [/^demand[.]/, "passengers"], [/^charger[.](outage|block)/, "points"], [/^charger[.]derate/, "kWh not charged"],
   [/^fleet[.]breakdown/, "cars"], [/^fleet[.]drain/, "kWh lost"], [/^travel[.]/, "minutes"], [/^sensor[.]/, "said too much"],
+  [/^process[.]/, "processes away"], [/^network[.]/, "samples not in time"], [/^solver[.]/, "plans that fell back"],
 ];
 const unitOf = type => amountUnits.find(([pattern]) => pattern.test(type))?.[1] ?? "";
 
@@ -20,10 +21,10 @@ function faultTable(run) {
   const text = words => element("td", "text", words);
   const head = name => element("th", "text", name);
   return table(["fault", head("type"), head("requested"), "min said", "regions", head("seen"), "min seen", "regions",
-    "most at a time", "sum over ticks", head("of"), "cars evicted"], run.faults.map(fault => [
+    head("most at a time"), "sum over ticks", "cars evicted"], run.faults.map(fault => [
     fault.name, text(fault.type), text(between(fault.start, fault.end)), String(fault.said_minutes),
     String(fault.regions.length), text(fault.seen ? between(...fault.seen) : "not at all"), String(fault.seen_minutes),
-    String(fault.seen_regions), brief(fault.amount.largest), brief(fault.amount.total), text(unitOf(fault.type)),
+    String(fault.seen_regions), text(brief(fault.amount.largest) + " " + unitOf(fault.type)), brief(fault.amount.total),
     String(fault.evicted),
   ]));
 }
