@@ -6,6 +6,7 @@
 #include "experiments/replay_command.hpp"
 #include "experiments/report_command.hpp"
 #include "experiments/run_command.hpp"
+#include "experiments/slurm.hpp"
 #include "experiments/sweep_command.hpp"
 #include "experiments/tune_command.hpp"
 #include "tools/fit/fit_command.hpp"
@@ -24,6 +25,7 @@ int main(int argc, char** argv) {
   evbal::add_run_command(app);
   evbal::add_sweep_command(app);
   evbal::add_tune_command(app);
+  evbal::add_slurm_task_command(app);
   evbal::add_compare_command(app);
   evbal::add_report_command(app);
   evbal::add_replay_command(app);

@@ -72,16 +72,23 @@ int cores() {
   return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
-std::string play_days(const Sweep& sweep, const std::vector<std::string>& keys, const std::filesystem::path& file,
-                      const Labour& labour, const std::function<void(std::size_t)>& play) {
+std::string do_days(const Sweep& sweep, const std::vector<std::string>& keys, const std::filesystem::path& file,
+                    bool quiet, const std::function<void(const std::vector<std::size_t>&, const Done&)>& work) {
   const std::vector<std::size_t> days = to_do(keys, begin_sweep(file, sweep, keys));
-  SweepProgress progress(keys.size(), days.size(), labour.quiet);
+  SweepProgress progress(keys.size(), days.size(), quiet);
   std::string failed;
-  work_through(days, labour.at_a_time, play, [&](std::size_t i, const std::string& complaint) {
+  work(days, [&](std::size_t i, const std::string& complaint) {
     failed += complaint.empty() ? "" : "\n  " + label(sweep.days[i]) + ": " + complaint;
     progress.show(label(sweep.days[i]) + (complaint.empty() ? "" : ": failed"));
   });
   return failed;
+}
+
+std::string play_days(const Sweep& sweep, const std::vector<std::string>& keys, const std::filesystem::path& file,
+                      const Labour& labour, const std::function<void(std::size_t)>& play) {
+  return do_days(sweep, keys, file, labour.quiet, [&](const std::vector<std::size_t>& days, const Done& done) {
+    work_through(days, labour.at_a_time, play, done);
+  });
 }
 
 }  // namespace evbal

@@ -5,7 +5,9 @@
 #include "experiments/play_days.hpp"
 #include "experiments/record/summary.hpp"
 #include "experiments/record_day.hpp"
+#include "experiments/slurm.hpp"
 #include "experiments/sweep/sweep_file.hpp"
+#include "experiments/sweep/workers.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fcntl.h>
@@ -22,6 +24,8 @@ namespace fs = std::filesystem;
 
 void add_playing_options(CLI::App& command, Playing& playing) {
   command.add_option("--jobs", playing.jobs, "Days at a time; otherwise one a core")->check(CLI::PositiveNumber);
+  command.add_option("--executor", playing.executor, "Who plays the days: this machine (local) or job arrays (slurm)")
+      ->check(CLI::IsMember({"local", "slurm"}));
   command.add_flag("--quiet", playing.quiet, "Without progress");
 }
 
@@ -58,14 +62,31 @@ std::vector<std::string> keys_of(const Sweep& sweep) {
 void play_sweep(const Sweep& sweep, const std::vector<std::string>& keys, const SweepFolder& folder,
                 const Playing& playing) {
   const fs::path file = folder.file();
-  const Labour labour{playing.jobs > 0 ? playing.jobs : cores(), playing.quiet};
-  const std::string failed = play_days(sweep, keys, file, labour, [&](std::size_t i) {
+  const fs::path tasks = folder.path() / "slurm";
+  const auto merge = [&](const fs::path& result) { merge_result(file, result); };
+  if (fs::exists(tasks)) {
+    begin_results(file);
+    merge_left(tasks, merge);
+  }
+  const auto play = [&](std::size_t i) {
     const Scenario scenario = scenario_of(sweep.days[i]);
     add_result(file, keys[i], scenario.world.clock, play_day(scenario));
-  });
+  };
+  const auto task = [&](std::size_t i) {
+    return SlurmTask{keys[i], resolved_yaml(scenario_of(sweep.days[i]), sweep.days[i].controller)};
+  };
+  const auto work = [&](const std::vector<std::size_t>& days, const Done& done) {
+    if (playing.executor == "slurm") {
+      work_on_slurm(days, {tasks, playing.jobs, task, merge}, done);
+    } else {
+      work_through(days, playing.jobs > 0 ? playing.jobs : cores(), play, done);
+    }
+  };
+  const std::string failed = do_days(sweep, keys, file, playing.quiet, work);
   if (!failed.empty()) {
     throw run_failed("days that failed, to be played by the same command again:" + failed);
   }
+  fs::remove_all(tasks);
 }
 
 }  // namespace evbal

@@ -14,8 +14,9 @@ namespace evbal {
 
 /// How a sweep's days are played, none of which changes what comes of them.
 struct Playing {
-  int jobs = 0;  ///< days at a time; 0: one a core
+  int jobs = 0;  ///< days at a time; 0: one a core, or as many as Slurm likes
   bool quiet = false;
+  std::string executor = "local";  ///< or "slurm"
 };
 
 /// Adds the options that `playing` is made from.

@@ -132,16 +132,20 @@ std::string csv(const fs::path& file, const std::string& query) {
   return text + "\n";
 }
 
+void make_tables(SQLite::Database& database) {
+  const Table results(database, "results", result_row("", {}));
+  const Table steps(database, "steps", step_row("", {}, {}));
+  database.exec("CREATE UNIQUE INDEX IF NOT EXISTS by_key ON results (key)");
+  database.exec("CREATE INDEX IF NOT EXISTS steps_by_key ON steps (key)");
+}
+
 }  // namespace
 
 std::set<std::string> begin_sweep(const fs::path& file, const Sweep& sweep, const std::vector<std::string>& keys) {
   try {
     SQLite::Database database = opened(file, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
     SQLite::Transaction transaction(database);
-    const Table results(database, "results", result_row("", {}));
-    const Table steps(database, "steps", step_row("", {}, {}));
-    database.exec("CREATE UNIQUE INDEX IF NOT EXISTS by_key ON results (key)");
-    database.exec("CREATE INDEX IF NOT EXISTS steps_by_key ON steps (key)");
+    make_tables(database);
     database.exec("DROP TABLE IF EXISTS days");
     Table days(database, "days", day_row(0, sweep, sweep.days.front(), ""));
     for (std::size_t i = 0; i < keys.size(); ++i) {
@@ -168,6 +172,24 @@ void add_result(const fs::path& file, const std::string& key, const DayClock& cl
   for (const auto& step : result.metrics.steps) {
     steps.add(step_row(key, clock, step));
   }
+  transaction.commit();
+}
+
+void begin_results(const fs::path& file) {
+  SQLite::Database database = opened(file, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  SQLite::Transaction transaction(database);
+  make_tables(database);
+  transaction.commit();
+}
+
+void merge_result(const fs::path& file, const fs::path& other) {
+  SQLite::Database database = opened(file, SQLite::OPEN_READWRITE);
+  SQLite::Statement attach(database, "ATTACH ? AS other");
+  attach.bind(1, other.string());
+  attach.exec();
+  SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+  database.exec("INSERT INTO steps SELECT * FROM other.steps WHERE key NOT IN (SELECT key FROM results)");
+  database.exec("INSERT OR IGNORE INTO results SELECT * FROM other.results");
   transaction.commit();
 }
 

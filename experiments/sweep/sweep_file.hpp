@@ -38,6 +38,14 @@ std::set<std::string> begin_sweep(const std::filesystem::path& file, const Sweep
 void add_result(const std::filesystem::path& file, const std::string& key, const DayClock& clock,
                 const SweptResult& result);
 
+/// Makes the file, if it is missing, with tables for results and nothing to be run. Throws SQLite's exception if it is
+/// something else.
+void begin_results(const std::filesystem::path& file);
+
+/// Adds the results of another such file, whole or not at all, durably; those of a key that has its result are left
+/// out.
+void merge_result(const std::filesystem::path& file, const std::filesystem::path& other);
+
 /// days.csv: a row a day of the sweep with its settings and totals, by `run`.
 std::string swept_days_csv(const std::filesystem::path& file);
 
