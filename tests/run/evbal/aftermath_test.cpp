@@ -42,6 +42,7 @@ TEST(Aftermath, OfAKilledLauncherIsInNobodysWay) {
     const std::string mark = text_of(run / "INCOMPLETE");
     return mark.find("of 36") != std::string::npos && mark.find("recorded 0 ") == std::string::npos;
   }));
+  kill(launcher, SIGSTOP);  // or the day might end before it is killed
   EXPECT_EQ(line.evbal(command).status, 2) << "a run goes on there";
   kill(launcher, SIGKILL);
   wait_for(launcher);
