@@ -116,8 +116,8 @@ void print_thresholds(const char* series, const SeriesFit& fit) {
 
 /// Of the innovation test: its alarm, and how many regions a day exceed it.
 void print_alarm(const char* series, const SeriesFit& fit) {
-  const double alarm = fit.model.errors.alarm;
-  std::printf("%-12s alarm %6.2f, exceeded in", series, alarm);
+  const double alarm = fit.model.errors.alarm + 1e-6;  // written numbers are rounded
+  std::printf("%-12s alarm %6.2f, exceeded in", series, fit.model.errors.alarm);
   const std::array<std::pair<const char*, const std::vector<HeldOutDay>*>, 2> both{
       {{"training", &fit.training}, {"test", &fit.test}}};
   for (const auto& [name, days] : both) {

@@ -34,7 +34,7 @@ void round(SeriesModel& model) {
   }
   round(model.errors.covariance.deviation);
   round(model.errors.covariance.factors);
-  model.errors.alarm = std::ceil(model.errors.alarm * 1e6) / 1e6;  // up: what equals it does not exceed it
+  model.errors.alarm = rounded(model.errors.alarm);
 }
 
 Eigen::MatrixXd residuals_of(const std::vector<HeldOutDay>& days) {
