@@ -113,11 +113,11 @@ function addRuns() {
     {weekday: "long", day: "numeric", month: "long", year: "numeric"});
   const words = number(first.regions) + " regions, " + number(first.fleet) + " vehicles, seed " + first.seed + ".";
   section(weekday, element("p", "", words), element("div", "card wide", totalsTable()), runNotes());
+  section("Hour by hour", figures(hourly.map(one => figure(one.title, one.note, () => hourlyChart(one)))));
   if (report.windows.length > 0) {
     addFaults();
   }
   if (report.map) {
     addMap();
   }
-  section("Hour by hour", figures(hourly.map(one => figure(one.title, one.note, () => hourlyChart(one)))));
 }
