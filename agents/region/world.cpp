@@ -6,6 +6,8 @@
 #include <array>
 #include <charconv>
 #include <cstdlib>
+#include <map>
+#include <mutex>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -53,12 +55,21 @@ std::string no_pack(const std::string& given) {
   return "city `" + given + "` is neither a shipped pack nor a folder";
 }
 
+/// A process reads a pack once: a sweep asks for the same ones for each of its days.
+const City& pack_in(const fs::path& folder) {
+  static std::mutex mutex;
+  static std::map<fs::path, City> packs;
+  const std::scoped_lock lock(mutex);
+  const auto known = packs.find(folder);
+  return known != packs.end() ? known->second : packs.emplace(folder, read_city(folder)).first->second;
+}
+
 City read_pack(const YamlValue& value) {
   const auto folder = pack_folder(value.text(), fs::path(value.file()).parent_path());
   if (!folder) {
     throw value.error(no_pack(value.text()));
   }
-  return read_city(*folder);
+  return pack_in(*folder);
 }
 
 DemandDay read_day(const YamlValue& value, const City& city) {

@@ -98,6 +98,21 @@ TEST_F(SweepFileOf3, SaysWhatItWasMadeFrom) {
   EXPECT_EQ(read_origin(file_).text, "new");
 }
 
+TEST_F(SweepFileOf3, TakesOverResultsOfOtherFilesOnce) {
+  begin_sweep(file_, small_sweep(), {"k1", "k2", "k2"});
+  add("k1", 10);
+  const auto other = folder_.path() / "it's other.sqlite";
+  begin_results(other);
+  add_result(other, "k2", {}, small_result(20));
+  merge_result(file_, other);
+  const std::string days = swept_days_csv(file_);
+  const std::string steps = swept_steps_csv(file_);
+  merge_result(file_, other);
+  EXPECT_EQ(read_finished(file_).at(2).totals.at("lost"), 20.0);
+  EXPECT_EQ(swept_days_csv(file_), days);
+  EXPECT_EQ(swept_steps_csv(file_), steps);
+}
+
 TEST_F(SweepFileOf3, RefusesAnotherFile) {
   folder_.write("sweep.sqlite", "dear diary");
   EXPECT_THROW(begin_sweep(file_, small_sweep(), {"k1", "k2", "k3"}), Error);
