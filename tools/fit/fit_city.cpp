@@ -113,10 +113,15 @@ PlanningSettings under(const std::string& controller, int leads) {
   return settings;
 }
 
+/// Training days that phi is tried on: a plan's work grows faster than the number of regions.
+std::size_t days_of_phi(const City& city) {
+  return city.size() <= 200 ? 3 : 1;
+}
+
 /// Plays days spread over the training days under `turnover` with several phi; all else equal.
 std::vector<PhiTrial> try_phi(const City& city, const std::vector<DemandDay>& training, const CityModel& model) {
   constexpr std::array<double, 4> tried{0.4, 0.6, 0.8, 1.0};
-  constexpr std::size_t days = 3;
+  const std::size_t days = days_of_phi(city);
   const PlanningSettings settings = under("turnover", model.leads());
   std::vector<TrainingDay> played(tried.size() * days);
   parallel_for(played.size(), [&](std::size_t i) {
@@ -190,7 +195,7 @@ CityFit fit_city(const City& city, int leads, const std::function<void(const std
   }
   fit.model.turnover.demand = fit_count_variance(fit.demand.training, leads);
   fit.model.turnover.same_step_dropoffs = rounded(same_step_dropoffs(city, training, city.step_minutes));
-  tell("turnover on three training days, with several phi");
+  tell("turnover on " + std::to_string(days_of_phi(city)) + " of the training days, with several phi");
   fit.phi = try_phi(city, training, fit.model);
   fit.model.turnover.phi = std::ranges::min_element(fit.phi, {}, &PhiTrial::cost)->phi;
   return fit;

@@ -132,7 +132,7 @@ void print_alarm(const char* series, const SeriesFit& fit) {
 
 void print_turnover(const CityFit& fit) {
   const Turnover& turnover = fit.model.turnover;
-  std::printf("\nturnover on three training days; taken: phi %.1f\n", turnover.phi);
+  std::printf("\nturnover on training days; taken: phi %.1f\n", turnover.phi);
   for (const PhiTrial& trial : fit.phi) {
     std::printf("phi %.1f: %d lost, %.0f idle km, cost %.0f\n", trial.phi, trial.lost, trial.idle_km, trial.cost);
   }
