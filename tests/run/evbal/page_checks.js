@@ -148,10 +148,12 @@ async function checkRun(files) {
   same(cellBeside("Idle distance km"), number(total("idle_km")), "idle km");
   same(cellBeside("Unfairness of the supply-demand ratio"), number(total("unfairness_demand"), 1), "unfairness");
   const hours = rowsOf(fileOf(cardOf("Lost passengers"), "CSV")).filter(row => row.series === "nominal");
-  hours.forEach((hour, i) => same(Number(hour["passengers per hour"]), +steps[2 * i].lost + +steps[2 * i + 1].lost, hour.name));
+  hours.forEach((hour, i) =>
+    same(Number(hour["passengers per hour"]), +steps[2 * i].lost + +steps[2 * i + 1].lost, hour.name));
   const faults = rowsOf(files.faults);
-  const costs = [...document.querySelectorAll("h3")].find(head => head.textContent.startsWith("What they cost")).nextSibling;
-  faults.forEach((row, i) => same(costs.tBodies[0].rows[i].cells[3].textContent, brief(Number(row.cost)), "cost of", row.metric));
+  const costs = [...document.querySelectorAll("h3")].find(head => head.textContent.startsWith("What they cost"));
+  const shown = costs.nextSibling.tBodies[0].rows;
+  faults.forEach((row, i) => same(shown[i].cells[3].textContent, brief(Number(row.cost)), "cost of", row.metric));
   checkMap(regions);
   checkColoursOfMap(regions);
   await checkPlay();

@@ -3,7 +3,8 @@
 //   {x: {label, domain, clock, mark}, y: {label, fitted}, windows: [{name, from, to}],
 //    series: [{label, style, thin, bare, band, points: [{x, y, low, high, name}]}]}
 // x.clock: x are minutes after midnight; x.mark: one of them, marked; y.fitted: the axis need not start at 0; style
-// counts colours, dashes and symbols; thin: a dotted line; bare: without symbols; band: shown in the legend as the area from low to high.
+// counts colours, dashes and symbols; thin: a dotted line; bare: without symbols; band: shown in the legend as the area
+// from low to high.
 
 const plotHeight = 240;
 const rightMargin = 22;  // half a time of day

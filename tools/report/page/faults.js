@@ -10,8 +10,8 @@ const amountUnits = [
 const unitOf = type => amountUnits.find(([pattern]) => pattern.test(type))?.[1] ?? "";
 
 const costNames = {
-  served: "Served passengers", lost: "Lost passengers", waiting: "Waiting passengers, mean", wait_minutes: "Passengers' wait, min",
-  queue_minutes: "Queue for a charger, min", idle_km: "Idle distance, km",
+  served: "Served passengers", lost: "Lost passengers", waiting: "Waiting passengers, mean",
+  wait_minutes: "Passengers' wait, min", queue_minutes: "Queue for a charger, min", idle_km: "Idle distance, km",
   unfairness_demand: "Unfairness of the supply-demand ratio", unfairness_charging: "Unfairness of utilisation",
 };
 
@@ -32,7 +32,8 @@ function faultTable(run) {
 const backAfter = minutes => minutes === null ? "never" : minutes + " min";
 
 function costTable(run) {
-  const head = ["", "with", "without", "cost", "area, × hours", "back after", ...run.faults.map(fault => "after " + fault.name)];
+  const head = ["", "with", "without", "cost", "area, × hours", "back after",
+    ...run.faults.map(fault => "after " + fault.name)];
   return table(head, run.costs.map(cost => [
     costNames[cost.metric] ?? cost.metric, brief(cost.with), brief(cost.without), brief(cost.cost), brief(cost.area),
     backAfter(cost.recovered), ...cost.by_fault.map(backAfter),
@@ -40,11 +41,11 @@ function costTable(run) {
 }
 
 function addFaults() {
+  const card = (title, made) => element("div", "card wide narrow", element("h3", "", title), made);
   const cards = report.runs.filter(run => run.faults.length > 0).flatMap(run => [
-    element("div", "card wide narrow", element("h3", "", "Faults, " + run.label), faultTable(run)),
-    ...(run.costs ? [element("div", "card wide narrow", element("h3", "", "What they cost, " + run.label), costTable(run))] : []),
+    card("Faults, " + run.label, faultTable(run)), ...(run.costs ? [card("What they cost, " + run.label, costTable(run))] : []),
   ]);
-  section("Faults", element("p", "note", "Requested by the schedule, said by the injector, seen by agents and coordinator. Cost: the " +
-    "day less the same day without faults; area: between both curves. Back after the end of the last fault, and of " +
-    "each, until the next: when the curves stay together again."), ...cards);
+  section("Faults", element("p", "note", "Requested by the schedule, said by the injector, seen by agents and " +
+    "coordinator. Cost: the day less the same day without faults; area: between both curves. Back after the end of the " +
+    "last fault, and of each, until the next: when the curves stay together again."), ...cards);
 }

@@ -15,28 +15,37 @@ const late = "_after_7";  // of metrics: what happens before 07:00 left out
 const lower = text => text[0].toLowerCase() + text.slice(1);
 
 const distinct = values => [...new Set(values)];
+
+// What `make` gives the first time it is asked: a page has only one sweep.
+function once(make) {
+  let made;
+  return () => made ??= make();
+}
+
 const points = () => report.sweep.points;
-const variants = () => distinct(points().map(point => point.variant));
+const variants = once(() => distinct(points().map(point => point.variant)));
 const styleOf = variant => variants().indexOf(variant);
 
 // Under which a variant was played: {scenario, faults}; what of it to tell, where there are several.
 const place = ({scenario, faults}) => JSON.stringify({scenario, faults});
-const places = () => distinct(points().map(place)).map(JSON.parse);
-const told = key => distinct(points().map(point => point[key])).length > 1;
-const placeWords = at => ["scenario", "faults"].filter(told).map(key => at[key]).join(", ");
+const places = once(() => distinct(points().map(place)).map(JSON.parse));
+const told = once(() => ["scenario", "faults"].filter(key => distinct(points().map(point => point[key])).length > 1));
+const placeWords = at => told().map(key => at[key]).join(", ");
 const atPlace = at => points().filter(point => place(point) === place(at));
 
 const words = text => element("td", "text", text);
 const wordHead = text => element("th", "text", text);
-const placeHead = () => ["scenario", "faults"].filter(told).map(wordHead);
-const placeCells = at => ["scenario", "faults"].filter(told).map(key => words(at[key]));
+const placeHead = () => told().map(wordHead);
+const placeCells = at => told().map(key => words(at[key]));
+
+// The paths that a variant varies in a scenario, by both.
+const family = ({variant, scenario}) => JSON.stringify([variant, scenario]);
+const varied = once(() => new Map(d3.nest().key(family).entries(points()).map(({key, values}) => [key,
+  Object.keys(values[0].settings).filter(path => distinct(values.map(point => point.settings[path])).length > 1)])));
 
 // "p_ratio=8": the settings that a point's variant varies.
-function settingsOf({variant, scenario, settings}) {
-  const alike = points().filter(point => point.variant === variant && point.scenario === scenario);
-  return Object.keys(settings).filter(path => distinct(alike.map(point => point.settings[path])).length > 1)
-    .map(path => path.split(".").at(-1) + "=" + settings[path]).join(" ");
-}
+const settingsOf = point => varied().get(family(point))
+  .map(path => path.split(".").at(-1) + "=" + point.settings[path]).join(" ");
 
 const pointName = point => [point.variant, settingsOf(point)].filter(Boolean).join(" ");
 
@@ -45,7 +54,8 @@ function addOrigin() {
   const rows = variants().map(variant => {
     const own = points().filter(point => point.variant === variant);
     return [variant, words(distinct(own.map(point => point.controller)).join(", ")),
-      words(distinct(own.map(settingsOf)).filter(Boolean).join(", ") || "as given"), String(sum(own.map(point => point.pairs)))];
+      words(distinct(own.map(settingsOf)).filter(Boolean).join(", ") || "as given"),
+      String(sum(own.map(point => point.pairs)))];
   });
   const code = words => element("code", "", words);
   section("What was run",
@@ -68,7 +78,8 @@ function chooser(all, chosen, changed) {
     box.addEventListener("change", () => changed(all.filter((_, i) => boxes[i].checked)));
     return box;
   });
-  return element("div", "controls", ...all.map((variant, i) => element("label", "", boxes[i], swatch(styleOf(variant)), variant)));
+  return element("div", "controls",
+    ...all.map((variant, i) => element("label", "", boxes[i], swatch(styleOf(variant)), variant)));
 }
 
 function frontChart(at, y, shown) {
