@@ -47,13 +47,14 @@ void sweep(const Arguments& arguments) {
   }
   play_sweep(sweep, keys, folder, arguments.playing);
   const SweptDay& first = sweep.days.front();
-  note_origin(folder.file(), {.file = arguments.sweep.string(),
+  const std::string command = "evbal sweep " + arguments.sweep.string() + (arguments.quick ? " --quick" : "");
+  note_origin(folder.file(), {.command = command,
+                              .file = arguments.sweep.string(),
                               .text = text_of_file(arguments.sweep),
                               .scenario = resolved_yaml(scenario_of(first), first.controller)});
   write_file(folder.path() / "steps.csv", swept_steps_csv(folder.file()));
   write_file(folder.path() / "days.csv", swept_days_csv(folder.file()));
   if (sweep.page) {
-    const std::string command = "evbal sweep " + arguments.sweep.string() + (arguments.quick ? " --quick" : "");
     write_file(folder.path() / "page.md", page_markdown(*sweep.page, read_finished(folder.file()), command));
   }
   std::printf("%s\n", (folder.path() / "days.csv").c_str());

@@ -7,7 +7,8 @@ namespace evbal {
 
 /// What a sweep was made from, kept in its sweep.sqlite (table `origin`) for those who read its results.
 struct SweepOrigin {
-  std::string file;      ///< as given on the command line
+  std::string command;   ///< that makes it again, but for --out
+  std::string file;      ///< as given there
   std::string text;      ///< of that file
   std::string scenario;  ///< the first day's, resolved
 };

@@ -68,13 +68,15 @@ TEST(SweepSummary, AsksAtEqualCostWhereTheReferenceHasAFront) {
 
 TEST(SweepSummary, StandsOnThePage) {
   const SweepContent sweep{.folder = "runs/small",
-                           .origin = {"small.yaml", "schema: 1\n", ""},
+                           .origin = {"evbal sweep small.yaml", "small.yaml", "schema: 1\n", ""},
                            .page = "# Small\n",
                            .days = 9,
                            .points = swept_points(small_sweep(), small_steps()),
                            .answers = answers(small_sweep(), {"ratio"})};
   const std::string page = report_page({.title = "small", .sweep = sweep});
-  EXPECT_NE(page.find("\"sweep\":{\"folder\":\"runs/small\",\"file\":\"small.yaml\""), std::string::npos);
+  EXPECT_NE(
+      page.find("\"sweep\":{\"folder\":\"runs/small\",\"command\":\"evbal sweep small.yaml\",\"file\":\"small.yaml\""),
+      std::string::npos);
   EXPECT_NE(page.find("\"hours\":{\"lost\":[[5,3.0,3.0,3.0],[6,4.0,4.0,4.0]]}"), std::string::npos);
 }
 

@@ -93,9 +93,13 @@ TEST_F(SweepFileOf3, GivesStepsBack) {
 TEST_F(SweepFileOf3, SaysWhatItWasMadeFrom) {
   begin_sweep(file_, small_sweep(), {"k1", "k2", "k3"});
   EXPECT_THROW(read_origin(file_), Error);
-  note_origin(file_, {.file = "a.yaml", .text = "old", .scenario = "s"});
-  note_origin(file_, {.file = "a.yaml", .text = "new", .scenario = "s"});
-  EXPECT_EQ(read_origin(file_).text, "new");
+  note_origin(file_, {.command = "c", .file = "a.yaml", .text = "old", .scenario = "s"});
+  note_origin(file_, {.command = "c", .file = "a.yaml", .text = "new", .scenario = "s"});
+  const SweepOrigin origin = read_origin(file_);
+  EXPECT_EQ(origin.command, "c");
+  EXPECT_EQ(origin.file, "a.yaml");
+  EXPECT_EQ(origin.text, "new");
+  EXPECT_EQ(origin.scenario, "s");
 }
 
 TEST_F(SweepFileOf3, TakesOverResultsOfOtherFilesOnce) {

@@ -69,8 +69,10 @@ Json answer_json(const Answer& answer) {
 }  // namespace
 
 Json sweep_json(const SweepContent& sweep) {
-  Json json = {{"folder", sweep.folder}, {"file", sweep.origin.file}, {"text", sweep.origin.text}, {"page", sweep.page},
-               {"days", sweep.days},     {"points", Json::array()},   {"answers", Json::array()}};
+  Json json = {{"folder", sweep.folder},    {"command", sweep.origin.command},
+               {"file", sweep.origin.file}, {"text", sweep.origin.text},
+               {"page", sweep.page},        {"days", sweep.days},
+               {"points", Json::array()},   {"answers", Json::array()}};
   for (const auto& point : sweep.points) {
     json["points"].push_back(point_json(point));
   }

@@ -50,7 +50,7 @@ const settingsOf = point => varied().get(family(point))
 const pointName = point => [point.variant, settingsOf(point)].filter(Boolean).join(" ");
 
 function addOrigin() {
-  const {file, folder, text, days} = report.sweep;
+  const {command, file, folder, text, days} = report.sweep;
   const rows = variants().map(variant => {
     const own = points().filter(point => point.variant === variant);
     return [variant, words(distinct(own.map(point => point.controller)).join(", ")),
@@ -64,7 +64,7 @@ function addOrigin() {
     element("div", "card wide",
       table(["variant", wordHead("controller"), wordHead("settings"), "days played"], rows)),
     element("div", "notes",
-      element("div", "", "The same again: ", code("evbal sweep " + file + " --out DIR"), ", then ",
+      element("div", "", "The same again: ", code(command + " --out DIR"), ", then ",
         code("evbal report DIR"), ". Made from ", code(folder), ".")),
     element("details", "", element("summary", "", file), element("pre", "", text)));
 }
