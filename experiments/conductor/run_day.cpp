@@ -104,6 +104,10 @@ class Day {
     }
     take_away({});
     call({});
+    if (!open_.empty()) {
+      throw run_failed("tick " + std::to_string(open_.front().tick.tick) +
+                       ": not every region has said what became of it");
+    }
   }
 
  private:
@@ -169,8 +173,11 @@ class Day {
     for (TickRecord& record : open_) {
       Tick missed = record.tick;
       missed.due.clear();
-      std::set_difference(back.begin(), back.end(), record.tick.due.begin(), record.tick.due.end(),
-                          std::back_inserter(missed.due));
+      std::set<int> heard;
+      for (const auto& said : record.exchange.departures) {
+        heard.insert(said.region);
+      }
+      std::set_difference(back.begin(), back.end(), heard.begin(), heard.end(), std::back_inserter(missed.due));
       if (missed.due.empty()) {
         continue;
       }

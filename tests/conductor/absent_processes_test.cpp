@@ -165,6 +165,23 @@ TEST(AbsentProcesses, WhoNeverComesBackIsHeardAtTheDaysEnd) {
   EXPECT_GT(said_of(day, world.clock.ticks() - 1, 1).demand, 0);
 }
 
+TEST(AbsentProcesses, WhoIsAwayAgainSaysNothingTwice) {
+  const World world = busy_morning();
+  auto faults = quiet(world);
+  put(faults, effect_on(EffectType::process_kill, 1), {4, 20});
+  put(faults, effect_on(EffectType::process_kill, 2), {6, 8});
+  put(faults, effect_on(EffectType::process_pause, 2), {10, 12});
+  const auto day = play(world, faults);
+  ASSERT_EQ(static_cast<int>(day.size()), world.clock.ticks());
+  for (const auto& record : day) {
+    const auto& said = record.exchange.departures;
+    ASSERT_EQ(said.size(), 4U) << record.tick.tick;
+    for (int region = 0; region < 4; ++region) {
+      EXPECT_EQ(said[static_cast<std::size_t>(region)].region, region) << record.tick.tick;
+    }
+  }
+}
+
 TEST(AbsentProcesses, WithoutCoordinatorNobodyReportsAndEveryoneFollowsHisRule) {
   const World world = busy_morning();
   auto faults = quiet(world);
