@@ -12,6 +12,9 @@ namespace {
 /// little: two days that differ in two passengers of the morning are as far apart as a fifth of it in the evening.
 constexpr double band_share = 0.25;
 
+/// How long it must stay so. Hours later the days are apart for other reasons than the fault.
+constexpr int settled_minutes = 120;
+
 double total(std::span<const double> values, bool stock) {
   const double sum = std::accumulate(values.begin(), values.end(), 0.0);
   return stock && !values.empty() ? sum / static_cast<double>(values.size()) : sum;
@@ -31,22 +34,18 @@ int next_start(std::span<const FaultWindow> faults, int end, int day_end) {
   return next;
 }
 
-/// Minutes from `end` until the curves are within the band and stay there until `until`.
+/// Minutes from `end` until the curves are within the band and stay there, as far as `until` lets one see.
 std::optional<int> minutes_until_back(const PairedCurves& curves, double band, int end, int until) {
-  const int from = end / curves.step_minutes;
-  int back = until / curves.step_minutes;
-  if (from >= back) {
-    return std::nullopt;
-  }
-  const auto within = [&](int step) {
+  const int last = until / curves.step_minutes;
+  int within = 0;  // steps in a row
+  for (int step = end / curves.step_minutes; step < last; ++step) {
     const auto at = static_cast<std::size_t>(step);
-    return std::abs(curves.with[at] - curves.without[at]) <= band;
-  };
-  const int last = back;
-  while (back > from && within(back - 1)) {
-    --back;
+    within = std::abs(curves.with[at] - curves.without[at]) <= band ? within + 1 : 0;
+    if (within * curves.step_minutes >= settled_minutes || (within > 0 && step + 1 == last)) {
+      return std::max(0, (step + 1 - within) * curves.step_minutes - end);
+    }
   }
-  return back == last ? std::nullopt : std::optional(std::max(0, back * curves.step_minutes - end));
+  return std::nullopt;
 }
 
 }  // namespace

@@ -43,9 +43,9 @@ struct CostedMetric {
 /// All of these, in the order in which they are shown.
 const std::vector<CostedMetric>& costed_metrics();
 
-/// Compares both curves. Back within `band`, a quarter of the greatest value of the curve without faults, is the first
-/// step from the one in which the fault ends on, from which the curves stay within the band until the next fault
-/// begins, or until the day ends; nothing if there is none, and for a fault that outlasts the day.
+/// Compares both curves. A curve is back with the first step, from the one in which the fault ends on, from which it is
+/// within `band`, a quarter of the greatest value of the curve without faults, for two hours, or until the next fault
+/// begins or the day ends; nothing if there is none, and for a fault that outlasts the day.
 FaultCost fault_cost(const PairedCurves& curves, bool stock, std::span<const FaultWindow> faults);
 
 }  // namespace evbal

@@ -36,12 +36,13 @@ TEST(Recovery, TakesTheMeanOfAStock) {
 TEST(Recovery, EndsWithTheStepFromWhichTheCurveStaysInTheBand) {
   EXPECT_EQ(cost_of({4, 9, 12, 9, 4, 4, 4, 4}, {{30, 60}}).recovered, Minutes(60));
   EXPECT_EQ(cost_of({4, 9, 12, 4, 4, 9, 4, 4}, {{30, 60}}).recovered, Minutes(120)) << "it was out once more";
+  EXPECT_EQ(cost_of({4, 9, 8, 4, 4, 4, 9, 4}, {{30, 60}}).recovered, Minutes(0)) << "out again after two hours";
   EXPECT_EQ(cost_of({4, 9, 10, 6, 6, 6, 6, 6}, {{30, 60}}).recovered, Minutes(0)) << "at the band's edge";
   EXPECT_EQ(cost_of({4, 9, 12, 9, 4, 4, 4, 4}, {{30, 70}}).recovered, Minutes(50)) << "from its end";
 }
 
 TEST(Recovery, MayNeverCome) {
-  EXPECT_EQ(cost_of({4, 4, 4, 4, 4, 4, 4, 7}, {{30, 60}}).recovered, Minutes());
+  EXPECT_EQ(cost_of({4, 4, 8, 7, 4, 7, 4, 7}, {{30, 60}}).recovered, Minutes());
   EXPECT_EQ(cost_of(quiet, {{30, 500}}).recovered, Minutes()) << "the fault outlasts the day";
 }
 
