@@ -47,5 +47,6 @@ function addFaults() {
   ]);
   section("Faults", element("p", "note", "Requested by the schedule, said by the injector, seen by agents and " +
     "coordinator. Cost: the day less the same day without faults; area: between both curves. Back after the end of the " +
-    "last fault, and of each, until the next: when the curves stay together again."), ...cards);
+    "last fault, and of each: when the curves come together again and stay so for two hours or until the next fault."),
+    ...cards);
 }
