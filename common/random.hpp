@@ -24,6 +24,7 @@ enum class Purpose : std::uint32_t {
   resampled_day = 14,      ///< days drawn for an interval
   lost_sample = 15,        ///< what the network loses
   trip_end = 16,           ///< places of trip ends that are known by zone only
+  lost_packet = 17,        ///< what the network loses below the middleware
 };
 
 /// The place of a draw: who draws, when, and for which of several like things.

@@ -204,9 +204,13 @@ double YamlValue::duration() const {
   const std::size_t unit_at = text.find_first_not_of("0123456789.");
   const std::string unit = unit_at == std::string::npos ? "" : text.substr(unit_at);
   const auto amount = decimal(text.substr(0, unit_at));
-  const double minutes = unit == "s" ? 1.0 / 60.0 : unit == "min" ? 1.0 : unit == "h" ? 60.0 : 0.0;
+  const double minutes = unit == "ms"    ? 1.0 / 60'000.0
+                         : unit == "s"   ? 1.0 / 60.0
+                         : unit == "min" ? 1.0
+                         : unit == "h"   ? 60.0
+                                         : 0.0;
   if (!amount || minutes == 0.0) {
-    throw error("`" + text + "` is no duration; write a number and s, min or h, such as 30min");
+    throw error("`" + text + "` is no duration; write a number and ms, s, min or h, such as 30min");
   }
   return *amount * minutes;
 }

@@ -40,7 +40,7 @@ class YamlValue {
   std::uint64_t seed() const;            ///< whole number in 0..2^64-1
   bool boolean() const;
 
-  /// "90min", "1.5h", "30s" as minutes, not negative.
+  /// "90min", "1.5h", "30s", "20ms" as minutes, not negative.
   double duration() const;
 
   /// A duration of whole minutes, at least 1.

@@ -49,7 +49,9 @@ std::unique_ptr<Players> players_of(const Scenario& scenario, const std::filesys
     return std::make_unique<DdsPlayers>(DdsRun{.folder = folder,
                                                .regions = scenario.world.city.size(),
                                                .regions_per_process = scenario.regions_per_process,
-                                               .coordinator = startable(scenario.planning.coordinator)});
+                                               .coordinator = startable(scenario.planning.coordinator),
+                                               .network = scenario.network,
+                                               .seed = scenario.world.seed});
   }
   return std::make_unique<InprocPlayers>(
       scenario.world,
@@ -77,6 +79,7 @@ RunHeader header_of(const Scenario& scenario, const std::string& resolved) {
   header.controller = scenario.planning.controller;
   header.engine = scenario.planning.engine.name;
   header.transport = scenario.transport;
+  header.network = scenario.network;
   header.frame = frame_of(scenario);
   for (const auto& region : world.city.regions) {
     header.region_names.push_back(region.name);
@@ -137,6 +140,7 @@ Scenario without_faults(Scenario scenario) {
   scenario.schedule.faults.clear();
   scenario.expect.clear();
   scenario.transport = own_transport(scenario);
+  scenario.network.reset();
   return scenario;
 }
 

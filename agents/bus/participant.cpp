@@ -15,6 +15,7 @@
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastrtps/utils/IPLocator.h>
 
+#include <algorithm>
 #include <cstring>
 #include <string_view>
 #include <utility>
@@ -27,8 +28,12 @@ namespace rtps = eprosima::fastrtps::rtps;
 using eprosima::fastrtps::Duration_t;
 
 constexpr std::uint32_t socket_buffer = 4 * 1024 * 1024;
-constexpr int kept_samples = 16;         // of reports and departures, for readers that are a little behind
-constexpr int unread_samples = 1 << 14;  // that a reader of many writers holds at most
+constexpr std::uint32_t packet_bytes = 1400;  // what fits in one packet: of a larger message every packet can be lost
+constexpr std::uint32_t heartbeat_ns = 50'000'000;
+constexpr std::uint32_t heartbeat_ns_apart = 10'000'000;
+constexpr std::uint32_t answer_ns_apart = 1'000'000;  // to who says that something is missing, or by whom it is missed
+constexpr int kept_samples = 16;                      // of reports and departures, for readers that are a little behind
+constexpr int unread_samples = 1 << 14;               // that a reader of many writers holds at most
 
 // Topic of each message, and the participants who have a say there; `latest` is a topic of one writer of which only the
 // newest sample matters.
@@ -119,27 +124,35 @@ Entity* made(Entity* entity, const std::string& what) {
   return entity;
 }
 
-rtps::Locator_t loopback(int port) {
+/// Where a participant of the run is.
+std::string host_of(const BusAddress& address, int participant) {
+  return address.apart ? address_of_host(std::max(0, participant - BusAddress::first_agent + 1)) : "127.0.0.1";
+}
+
+rtps::Locator_t locator_of(const BusAddress& address, int participant) {
   rtps::Locator_t locator;
   locator.kind = LOCATOR_KIND_UDPv4;
-  rtps::IPLocator::setIPv4(locator, 127, 0, 0, 1);
-  locator.port = static_cast<std::uint32_t>(port);
+  rtps::IPLocator::setIPv4(locator, host_of(address, participant));
+  locator.port = static_cast<std::uint32_t>(discovery_port(address.domain, participant));
   return locator;
 }
 
-void use_loopback_only(dds::DomainParticipantQos& qos, const BusAddress& address) {
+void use_own_host_only(dds::DomainParticipantQos& qos, const BusAddress& address) {
   qos.transport().use_builtin_transports = false;
   const auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
-  udp->interfaceWhiteList = {"127.0.0.1"};
+  udp->interfaceWhiteList = {host_of(address, address.participant)};
+  if (address.apart) {
+    udp->maxMessageSize = packet_bytes;
+  }
   if (address.participant < BusAddress::first_agent) {
     udp->sendBufferSize = socket_buffer;
     udp->receiveBufferSize = socket_buffer;
   }
   qos.transport().user_transports.push_back(udp);
-  auto& builtin = qos.wire_protocol().builtin;
-  builtin.metatrafficUnicastLocatorList.push_back(loopback(discovery_port(address.domain, address.participant)));
-  qos.wire_protocol().default_unicast_locator_list.push_back(
-      loopback(discovery_port(address.domain, address.participant) + 1));
+  rtps::Locator_t own = locator_of(address, address.participant);
+  qos.wire_protocol().builtin.metatrafficUnicastLocatorList.push_back(own);
+  ++own.port;
+  qos.wire_protocol().default_unicast_locator_list.push_back(own);
 }
 
 void find_each_other(dds::DomainParticipantQos& qos, const BusAddress& address) {
@@ -148,7 +161,7 @@ void find_each_other(dds::DomainParticipantQos& qos, const BusAddress& address) 
   auto& builtin = qos.wire_protocol().builtin;
   for (int peer = 0; peer < peers; ++peer) {
     if (peer != address.participant) {
-      builtin.initialPeersList.push_back(loopback(discovery_port(address.domain, peer)));
+      builtin.initialPeersList.push_back(locator_of(address, peer));
     }
   }
   // Who is started again meets the others at their next announcement, should it have missed their first answer.
@@ -169,6 +182,11 @@ void set_delivery(Qos& qos, bool latest, int depth) {
 }
 
 }  // namespace
+
+std::string address_of_host(int host) {
+  constexpr int in_a_row = 250;
+  return "10.77." + std::to_string(host / in_a_row) + "." + std::to_string(host % in_a_row + 1);
+}
 
 int discovery_port(int domain, int participant) {
   return 7400 + 250 * domain + 10 + 2 * participant;
@@ -208,7 +226,7 @@ Participant::Participant(const BusAddress& address, const std::string& name)
   dds::DomainParticipantQos qos = factory->get_default_participant_qos();
   qos.name(name.c_str());
   qos.wire_protocol().participant_id = address.participant;
-  use_loopback_only(qos, address);
+  use_own_host_only(qos, address);
   find_each_other(qos, address);
   entities_->participant =
       made(factory->create_participant(static_cast<std::uint32_t>(address.domain), qos),
@@ -225,7 +243,11 @@ Writer<Message>::Writer(Participant& participant) : run_(participant.address().r
   dds::DataWriterQos qos = entities.publisher->get_default_datawriter_qos();
   set_delivery(qos, Topic<Message>::latest, kept_samples);
   qos.publish_mode().kind = dds::ASYNCHRONOUS_PUBLISH_MODE;
-  qos.reliable_writer_qos().times.heartbeatPeriod = Duration_t(0, 50'000'000);
+  auto& times = qos.reliable_writer_qos().times;
+  times.heartbeatPeriod = Duration_t(0, participant.address().apart ? heartbeat_ns_apart : heartbeat_ns);
+  if (participant.address().apart) {
+    times.nackResponseDelay = Duration_t(0, answer_ns_apart);
+  }
   writer_ = made(entities.publisher->create_datawriter(entities.topic<Message>(), qos),
                  std::string("a writer of ") + Topic<Message>::name);
 }
@@ -250,6 +272,9 @@ Reader<Message>::Reader(Participant& participant) : address_(participant.address
   auto& entities = *participant.entities_;
   dds::DataReaderQos qos = entities.subscriber->get_default_datareader_qos();
   set_delivery(qos, Topic<Message>::latest, kept_samples);
+  if (address_.apart) {
+    qos.reliable_reader_qos().times.heartbeatResponseDelay = Duration_t(0, answer_ns_apart);
+  }
   // Also of a topic of one writer: a stranger's samples would push out the writer's own.
   qos.history().kind = dds::KEEP_ALL_HISTORY_QOS;
   qos.resource_limits().max_samples = unread_samples;

@@ -27,11 +27,15 @@ struct BusAddress {
   int domain = 0;
   int participant = 0;
   int participants = 0;  ///< of the whole run
+  bool apart = false;    ///< each agent on a host of its own, behind a network that may lose packets
 };
 
-/// One process on the bus: UDPv4 on loopback, no shared memory, and whatever FASTRTPS_DEFAULT_PROFILES_FILE adds.
-/// Agents look for the conductor and the coordinator alone, so that discovery stays linear in their number. All
-/// calls from one thread.
+/// IPv4 address of a host of such a network: 0 is that of all but the agents, then one for each agent.
+std::string address_of_host(int host);
+
+/// One process on the bus: UDPv4, on loopback unless agents are apart, no shared memory, and whatever
+/// FASTRTPS_DEFAULT_PROFILES_FILE adds. Agents look for the conductor and the coordinator alone, so that discovery
+/// stays linear in their number. All calls from one thread.
 class Participant {
  public:
   /// Throws Error{run_failed} if the middleware refuses.

@@ -33,6 +33,7 @@ void add_options(CLI::App& app, ProcessOptions& options) {
   app.add_option("--domain", options.address.domain, "DDS domain of the run")->required();
   app.add_option("--participant", options.address.participant, "This process's number in the domain")->required();
   app.add_option("--participants", options.address.participants, "Processes of the run")->required();
+  app.add_flag("--apart", options.address.apart, "Each agent is on a host of its own");
   app.add_option("--scenario", options.scenario, "The run's scenario.resolved.yaml")->required();
   app.add_option("--journal", options.journal, "What the process must know if it is started again")->required();
   app.add_option("--first-region", options.first_region, "First of the regions that an agent hosts");
@@ -42,15 +43,19 @@ void add_options(CLI::App& app, ProcessOptions& options) {
 }  // namespace
 
 std::vector<std::string> arguments(const ProcessOptions& options) {
-  return {"--name",         options.name,
-          "--run",          options.address.run,
-          "--domain",       std::to_string(options.address.domain),
-          "--participant",  std::to_string(options.address.participant),
-          "--participants", std::to_string(options.address.participants),
-          "--scenario",     options.scenario.string(),
-          "--journal",      options.journal.string(),
-          "--first-region", std::to_string(options.first_region),
-          "--last-region",  std::to_string(options.last_region)};
+  std::vector<std::string> words = {"--name",         options.name,
+                                    "--run",          options.address.run,
+                                    "--domain",       std::to_string(options.address.domain),
+                                    "--participant",  std::to_string(options.address.participant),
+                                    "--participants", std::to_string(options.address.participants),
+                                    "--scenario",     options.scenario.string(),
+                                    "--journal",      options.journal.string(),
+                                    "--first-region", std::to_string(options.first_region),
+                                    "--last-region",  std::to_string(options.last_region)};
+  if (options.address.apart) {
+    words.emplace_back("--apart");
+  }
+  return words;
 }
 
 int run_process(int argc, char** argv, const std::string& description,

@@ -129,10 +129,14 @@ struct DdsPlayers::Topics {
 DdsPlayers::DdsPlayers(const DdsRun& run)
     : run_(run), domain_(participants(run)), journals_(run.folder / "journals"), supervisor_(run.folder / "processes") {
   const auto begin = Clock::now();
+  if (run_.network) {
+    network_.emplace(*run_.network, agents(run_), run_.seed);
+  }
   BusAddress address{.run = new_run_id(),
                      .domain = domain_.domain(),
                      .participant = BusAddress::conductor,
-                     .participants = participants(run)};
+                     .participants = participants(run),
+                     .apart = run.network.has_value()};
   start_processes(address);
   participant_.emplace(address, "conductor");
   topics_ = std::make_unique<Topics>(*participant_);
@@ -153,7 +157,8 @@ void DdsPlayers::start_processes(BusAddress address) {
                                  .first_region = first_region,
                                  .last_region = last_region});
     words.insert(words.end(), told.begin(), told.end());
-    supervisor_.start(name, command.front(), words);
+    const int host = address.participant - BusAddress::first_agent + 1;
+    supervisor_.start(name, command.front(), words, network_ && host > 0 ? network_->namespace_of(host) : -1);
     absent_.insert(name);
   };
   const auto own = [&](const char* program) { return std::vector{(run_.programs / program).string()}; };

@@ -3,6 +3,7 @@
 #include "agents/bus/participant.hpp"
 #include "common/installation.hpp"
 #include "experiments/conductor/domain_lock.hpp"
+#include "experiments/conductor/lossy_network.hpp"
 #include "experiments/conductor/players.hpp"
 #include "experiments/conductor/supervisor.hpp"
 
@@ -27,6 +28,8 @@ struct DdsRun {
   std::filesystem::path programs = own_folder();  ///< where evbal-agent, evbal-coordinator and evbal-faults are
   std::vector<std::string> coordinator{};         ///< program and first words in place of evbal-coordinator's
   std::chrono::seconds patience{120};             ///< longest wait for anything
+  std::optional<NetworkConditions> network{};     ///< between each agent and the others
+  std::uint64_t seed = 0;                         ///< of what it loses
 };
 
 /// A folder that is empty to begin with and goes with its owner.
@@ -84,6 +87,7 @@ class DdsPlayers : public Players {
   DdsRun run_;
   DomainLock domain_;
   EmptyFolder journals_;
+  std::optional<LossyNetwork> network_;
   Supervisor supervisor_;
   std::set<std::string> absent_;  ///< from whom no hello has come since the start, or since its death
   std::map<std::string, std::chrono::steady_clock::time_point> deaths_;  ///< when one of the absent died

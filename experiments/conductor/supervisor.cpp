@@ -1,6 +1,7 @@
 #include "experiments/conductor/supervisor.hpp"
 
 #include "common/error.hpp"
+#include "experiments/conductor/lossy_network.hpp"
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -89,8 +90,8 @@ Supervisor::~Supervisor() {
 }
 
 void Supervisor::start(const std::string& name, const std::filesystem::path& program,
-                       const std::vector<std::string>& arguments) {
-  Process process{.name = name, .words = {program.string()}};
+                       const std::vector<std::string>& arguments, int network) {
+  Process process{.name = name, .words = {program.string()}, .network = network};
   process.words.insert(process.words.end(), arguments.begin(), arguments.end());
   spawn(process);
   processes_.push_back(std::move(process));
@@ -104,6 +105,7 @@ void Supervisor::spawn(Process& process) {
   }
   pointers.push_back(nullptr);
   const SpawnSetup setup(pipe_read_, log_folder_ / (process.name + ".log"));
+  const InNamespace network(process.network);
   const int error =
       posix_spawn(&process.id, pointers.front(), setup.files(), setup.attributes(), pointers.data(), environ);
   if (error != 0) {

@@ -24,8 +24,9 @@ class Supervisor {
   Supervisor(const Supervisor&) = delete;
   Supervisor& operator=(const Supervisor&) = delete;
 
-  /// Throws Error{run_failed} if the program cannot be started.
-  void start(const std::string& name, const std::filesystem::path& program, const std::vector<std::string>& arguments);
+  /// In the network namespace of a file, if one is given. Throws Error{run_failed} if the program cannot be started.
+  void start(const std::string& name, const std::filesystem::path& program, const std::vector<std::string>& arguments,
+             int network = -1);
 
   /// Starts again the processes that a signal has ended, and says which. Throws Error{run_failed}, with its name, how
   /// it ended and its last words, if one ended by itself, or has ended too often since the last progress().
@@ -47,6 +48,7 @@ class Supervisor {
   struct Process {
     std::string name;
     std::vector<std::string> words;  ///< program and arguments
+    int network = -1;                ///< namespace, as a file
     pid_t id = 0;                    ///< 0 once reaped
     int deaths = 0;                  ///< since the last progress
   };

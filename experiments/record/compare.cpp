@@ -63,7 +63,7 @@ Difference compare_csv(const fs::path& recorded, const fs::path& replayed, const
 
 /// Drops what depends on how the run was made, or on another run.
 void forget_circumstances(Json& summary) {
-  for (const char* key : {"processes", "step_seconds", "wall_seconds", "without_faults"}) {
+  for (const char* key : {"processes", "network", "step_seconds", "wall_seconds", "without_faults"}) {
     summary.erase(key);
   }
   if (summary.contains("solver") && summary["solver"].is_object()) {

@@ -3,10 +3,12 @@
 #include "common/digest.hpp"
 #include "experiments/metrics/metrics.hpp"
 #include "experiments/record/day_file.hpp"
+#include "experiments/scenario/network_conditions.hpp"
 
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,7 @@ struct RunHeader {
   std::string controller;
   std::string engine;
   std::string transport;  ///< "dds" or "inproc"
+  std::optional<NetworkConditions> network{};
   MetricsFrame frame;
   std::vector<std::string> region_names;
   std::vector<RequestedFault> faults;

@@ -94,6 +94,26 @@ Json step_seconds_json(const DayClock& clock, std::span<const TickRecord> ticks,
   return {{"median", median(whole)}, {"max", largest(whole)}, {"median_without_solver", median(without_solver)}};
 }
 
+/// What packets suffered, and what it cost to exchange a tick's messages: seconds of the tick but the solver's. In the
+/// first tick processes are still being started.
+Json network_json(const NetworkConditions& network, std::span<const TickRecord> ticks,
+                  std::span<const double> tick_seconds) {
+  std::vector<double> exchange;
+  for (std::size_t at = 1; at < ticks.size(); ++at) {
+    const auto& plan = ticks[at].exchange.plan;
+    exchange.push_back(tick_seconds[at] - (plan ? plan->origin.seconds : 0.0));
+  }
+  if (exchange.empty()) {
+    exchange.push_back(0.0);
+  }
+  std::sort(exchange.begin(), exchange.end());
+  const std::size_t late = exchange.size() - 1 - exchange.size() / 100;  // one in a hundred is later
+  return {{"loss", network.loss},
+          {"delay_ms", network.delay_ms},
+          {"deterministic_in_time", false},
+          {"exchange_seconds", {{"median", median(exchange)}, {"p99", exchange[late]}, {"max", exchange.back()}}}};
+}
+
 std::int64_t fleet_of(const DayMetrics& day) {
   if (day.steps.empty()) {
     return 0;
@@ -106,24 +126,27 @@ std::int64_t fleet_of(const DayMetrics& day) {
 
 std::string summary_json(const RunHeader& header, const DayMetrics& day, const std::string& digest,
                          std::span<const TickRecord> ticks, std::span<const double> tick_seconds, double wall_seconds) {
-  const Json json = {{"scenario", header.scenario},
-                     {"date", header.date},
-                     {"seed", header.seed},
-                     {"controller", header.controller},
-                     {"transport", header.transport},
-                     {"digest", digest},
-                     {"scenario_digest", text_digest(header.resolved)},
-                     {"day_start", time_of_day(header.frame.clock, 0)},
-                     {"steps", day.steps.size()},
-                     {"step_minutes", header.frame.clock.step},
-                     {"regions", header.region_names.size()},
-                     {"fleet", fleet_of(day)},
-                     {"fleet_conserved", day.fleet_conserved},
-                     {"totals", totals_json(day.totals)},
-                     {"solver", solver_json(header, ticks)},
-                     {"processes", processes_json(ticks)},
-                     {"step_seconds", step_seconds_json(header.frame.clock, ticks, tick_seconds)},
-                     {"wall_seconds", wall_seconds}};
+  Json json = {{"scenario", header.scenario},
+               {"date", header.date},
+               {"seed", header.seed},
+               {"controller", header.controller},
+               {"transport", header.transport},
+               {"digest", digest},
+               {"scenario_digest", text_digest(header.resolved)},
+               {"day_start", time_of_day(header.frame.clock, 0)},
+               {"steps", day.steps.size()},
+               {"step_minutes", header.frame.clock.step},
+               {"regions", header.region_names.size()},
+               {"fleet", fleet_of(day)},
+               {"fleet_conserved", day.fleet_conserved},
+               {"totals", totals_json(day.totals)},
+               {"solver", solver_json(header, ticks)},
+               {"processes", processes_json(ticks)},
+               {"step_seconds", step_seconds_json(header.frame.clock, ticks, tick_seconds)},
+               {"wall_seconds", wall_seconds}};
+  if (header.network) {
+    json["network"] = network_json(*header.network, ticks, tick_seconds);
+  }
   return json.dump(2) + "\n";
 }
 

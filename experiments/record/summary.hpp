@@ -19,8 +19,11 @@ namespace evbal {
 ///                  0 in one process; and how often one was started again
 ///     step_seconds wall time of a step: median, max, and median of what is left without the solver
 ///     wall_seconds
+///     network      loss, delay_ms, deterministic_in_time, exchange_seconds (of a tick, without the solver); only if the
+///                  scenario has the key
 ///
-/// `transport`, `processes` and what is measured in seconds depend on how the day was run, nothing else does.
+/// `transport`, `processes`, `network` and what is measured in seconds depend on how the day was run, nothing else
+/// does.
 std::string summary_json(const RunHeader& header, const DayMetrics& day, const std::string& digest,
                          std::span<const TickRecord> ticks, std::span<const double> tick_seconds, double wall_seconds);
 

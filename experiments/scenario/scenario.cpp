@@ -146,6 +146,9 @@ Scenario read_scenario(const YamlValue& yaml, const Overrides& overrides) {
   if (const auto given = map.find("regions_per_process")) {
     scenario.regions_per_process = given->integer(1, 1'000'000);
   }
+  if (const auto network = map.find("network")) {
+    scenario.network = read_network(*network);
+  }
   if (const auto expect = map.find("expect")) {
     scenario.expect = read_expect(*expect);
   }
@@ -156,6 +159,10 @@ Scenario read_scenario(const YamlValue& yaml, const Overrides& overrides) {
   if (!scenario.planning.coordinator.empty() && scenario.transport != "dds") {
     throw bad_input("coordinator `" + shown(scenario.planning.coordinator) +
                     "`: takes part over the bus; with transport `" + scenario.transport +
+                    "` there is none, choose `dds`");
+  }
+  if (scenario.network && scenario.transport != "dds") {
+    throw bad_input("network: acts on the bus; with transport `" + scenario.transport +
                     "` there is none, choose `dds`");
   }
   scenario.planning.controller = scenario.controllers.front();
@@ -170,6 +177,9 @@ std::string resolved_yaml(const Scenario& scenario, const std::string& controlle
   yaml += planning_yaml(planning);
   yaml += "transport: " + scenario.transport + "\n";
   yaml += "regions_per_process: " + std::to_string(scenario.regions_per_process) + "\n";
+  if (scenario.network) {
+    yaml += "network: " + network_yaml(*scenario.network) + "\n";
+  }
   yaml += "faults:\n" + indented(schedule_yaml(scenario.schedule, scenario.world.clock));
   yaml += scenario.expect.empty() ? "expect: []\n" : "expect:\n";
   for (const auto& expect : scenario.expect) {

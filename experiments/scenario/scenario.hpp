@@ -3,6 +3,7 @@
 #include "agents/region/world.hpp"
 #include "coordinator/planning/settings.hpp"
 #include "experiments/scenario/expect.hpp"
+#include "experiments/scenario/network_conditions.hpp"
 #include "faults/schedule/schedule.hpp"
 
 #include <cstdint>
@@ -25,6 +26,7 @@ struct Scenario {
       Schedule{}};              ///< of the faults, as many as the schedule's `runs`; `schedule` is the first
   std::string transport;        ///< "dds" or "inproc"
   int regions_per_process = 1;  ///< regions that one evbal-agent hosts
+  std::optional<NetworkConditions> network{};  ///< on the bus, below the middleware
   std::vector<Expect> expect;
 };
 

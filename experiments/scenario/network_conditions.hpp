@@ -1,0 +1,21 @@
+#pragma once
+
+#include "common/yaml.hpp"
+
+#include <string>
+
+namespace evbal {
+
+/// What becomes of packets between each agent and the other processes, below the middleware, in either direction.
+struct NetworkConditions {
+  double loss = 0.0;      ///< probability that a packet is lost, at most 0.5
+  double delay_ms = 0.0;  ///< by which every other one comes later, at most 1000
+};
+
+/// Reads {loss: 0.1, delay: 20ms}; either may be left out. Throws Error{bad_input} with file and line.
+NetworkConditions read_network(const YamlValue& value);
+
+/// The same as YAML text: read_network gives it back.
+std::string network_yaml(const NetworkConditions& network);
+
+}  // namespace evbal
