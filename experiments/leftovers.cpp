@@ -54,9 +54,11 @@ void add_processes(std::vector<Leftover>& found) {
   for (const auto& entry : fs::directory_iterator("/proc", fs::directory_options::skip_permission_denied)) {
     const std::string id = entry.path().filename();
     const bool number = id.find_first_not_of("0123456789") == std::string::npos;
-    if (const auto run = number ? run_of_orphan(id) : std::nullopt) {
-      const std::string program = fs::path(command_line(id).front()).filename();
-      found.push_back({program + " (process " + id + ") of run " + *run, [id, run] {
+    const std::vector<std::string> words = number ? command_line(id) : std::vector<std::string>{};
+    if (const auto run = words.empty() ? std::nullopt : run_of_orphan(id)) {
+      std::string what = fs::path(words.front()).filename();
+      what.append(" (process ").append(id).append(") of run ").append(*run);
+      found.push_back({what, [id, run] {
                          if (run_of_orphan(id) == run) {
                            kill(static_cast<pid_t>(std::strtol(id.c_str(), nullptr, 10)), SIGKILL);
                          }
