@@ -9,19 +9,28 @@
 namespace evbal {
 namespace {
 
-/// Days to play: a few, or as many as the long tests ask for.
-int days_asked(int few) {
+/// What is played: a few mornings, or what the long tests ask for: whole days, each of them over DDS too.
+struct Plan {
+  int days = 0;
+  int dds_every = 1;
+  std::string clock;
+  Extent faults;
+};
+
+Plan planned(int mornings, int dds_every, int long_share) {
   const char* many = std::getenv("EVBAL_FAULTED_DAYS");
-  return many == nullptr ? few : std::stoi(many);
+  if (many != nullptr) {
+    return {std::stoi(many) / long_share, 1, "start: \"05:00\", end: \"24:00\"", {"05:00", "23:30", 12}};
+  }
+  return {mornings, dds_every, "start: \"07:00\", end: \"10:00\"", {"07:00", "09:30", 6}};
 }
 
-/// Plays a morning under a random schedule: it ends, the fleet is the same at its end, a replay says the same in every
+/// Plays a day under a random schedule: it ends, the fleet is the same at its end, a replay says the same in every
 /// value, and if asked for the digest over DDS is the same. (A run checks vehicles and points itself at every tick.)
 /// False if the schedule is refused.
-bool play_one(const CommandLine& line, const std::string& scenario, std::uint64_t seed, bool over_dds) {
-  const std::string schedule = random_schedule(seed);
+bool play_one(const CommandLine& line, const std::string& schedule, bool over_dds) {
   std::ofstream(line.path() / "faults.yaml") << schedule;
-  const std::string run = "run " + scenario + " --faults faults.yaml --quiet --engine cuts ";
+  const std::string run = "run day.yaml --faults faults.yaml --quiet --engine cuts ";
   const Ended ended = line.evbal(run + "--out day");
   if (ended.status == 2 && ended.err.find("overlaps") != std::string::npos) {
     return false;
@@ -40,10 +49,14 @@ bool play_one(const CommandLine& line, const std::string& scenario, std::uint64_
   return true;
 }
 
-void play(const CommandLine& line, const std::string& scenario, int days, int dds_every) {
+void play(const std::string& city_and_controller, const Plan& plan) {
+  const CommandLine line;
+  std::ofstream(line.path() / "day.yaml")
+      << "schema: 1\nseed: 1\ntransport: inproc\n"
+      << city_and_controller << "clock: {" << plan.clock << ", tick: 5min, step: 30min, plan_every: 10min}\n";
   int played = 0;
-  for (std::uint64_t seed = 0; played < days; ++seed) {
-    played += play_one(line, scenario, seed, played % dds_every == 0) ? 1 : 0;
+  for (std::uint64_t seed = 0; played < plan.days; ++seed) {
+    played += play_one(line, random_schedule(seed, plan.faults), played % plan.dds_every == 0) ? 1 : 0;
   }
 }
 
@@ -55,17 +68,11 @@ TEST(FaultedDays, DrawFromEveryType) {
 }
 
 TEST(FaultedDays, EndAndAreTheSameAgainOnToy) {
-  const CommandLine line;
-  play(line, "morning.yaml", days_asked(8), 4);
+  play("city: toy-5\nday: 2024-01-11\ncontroller: nominal\n", planned(8, 4, 1));
 }
 
 TEST(FaultedDays, EndAndAreTheSameAgainInSanFrancisco) {
-  const int days = days_asked(0) / 10;
-  const CommandLine line;
-  std::ofstream(line.path() / "sf.yaml")
-      << "schema: 1\ncity: san-francisco-54\nday: 2008-06-03\nseed: 1\ncontrollers: [robust]\ntransport: inproc\n"
-         "clock: {start: \"07:00\", end: \"10:00\", tick: 5min, step: 30min, plan_every: 10min}\n";
-  play(line, "sf.yaml", days, 5);
+  play("city: san-francisco-54\nday: 2008-06-03\ncontroller: robust\n", planned(0, 5, 10));
 }
 
 }  // namespace

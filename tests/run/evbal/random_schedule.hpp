@@ -37,17 +37,23 @@ inline const std::array<std::pair<const char*, const char*>, 23>& fault_fields()
   return fields;
 }
 
-/// A schedule of up to six faults between 07:00 and 10:00. Some overlap and are refused: then another is to be asked
-/// for.
-inline std::string random_schedule(std::uint64_t seed) {
+/// When the faults of a random schedule begin, and how many there are.
+struct Extent {
+  std::string from;
+  std::string to;
+  std::uint64_t most = 6;
+};
+
+/// A schedule of a few faults. Some overlap and are refused: then another is to be asked for.
+inline std::string random_schedule(std::uint64_t seed, const Extent& extent) {
   RandomStream stream(seed, Purpose::fault, {});
   std::string text = "schema: 1\nseed: " + std::to_string(seed) + "\nfaults:\n";
-  const std::uint64_t count = 1 + stream.below(6);
+  const std::uint64_t count = 1 + stream.below(extent.most);
   for (std::uint64_t i = 0; i < count; ++i) {
     const auto& [type, own] = fault_fields().at(stream.below(fault_fields().size()));
     const bool kill = std::string(type) == "process.kill";
     text += "  - {name: f" + std::to_string(i) + ", type: " + type + ", ";
-    text += "start: {uniform: {min: \"07:00\", max: \"09:30\"}}, ";
+    text += "start: {uniform: {min: \"" + extent.from + "\", max: \"" + extent.to + "\"}}, ";
     text += std::string(kill ? "restart_after" : "duration") + ": {exponential: {mean: 40min}}";
     text += std::string(*own == '\0' ? "" : ", ") + own + "}\n";
   }
