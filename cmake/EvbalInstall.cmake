@@ -1,8 +1,8 @@
-# What `cmake --install build/release --prefix P` adds to the rooms and programs: the shipped cities, scenarios and
-# sweeps, and what find_package(evbal) reads. The build tree has its share/evbal too, since programs look for it above
-# themselves.
+# What `cmake --install build/release --prefix P` adds to the rooms and programs: the shipped cities, schedules of
+# faults, scenarios and sweeps, and what find_package(evbal) reads. The build tree has its share/evbal too, since
+# programs look for it above themselves.
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/share/evbal)
-foreach(shipped cities scenarios sweeps)
+foreach(shipped cities faults scenarios sweeps)
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/experiments/${shipped} ${PROJECT_BINARY_DIR}/share/evbal/${shipped} SYMBOLIC)
   install(DIRECTORY experiments/${shipped} DESTINATION share/evbal)
 endforeach()

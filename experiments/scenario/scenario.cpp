@@ -33,9 +33,15 @@ std::vector<std::string> read_controllers(YamlMap& map, const PlanningSettings& 
   return controllers;
 }
 
+/// A file that a command line names: a path, or the name of one that is shipped in such a folder.
+std::filesystem::path find_shipped(const std::string& folder, const std::filesystem::path& given) {
+  const auto shipped = shipped_folder(folder) / given;
+  return !given.has_parent_path() && !exists(given) && exists(shipped) ? shipped : given;
+}
+
 /// The schedule of an own file in place of the scenario's.
 void read_fault_file(const std::filesystem::path& file, const Place& place, Scenario& scenario) {
-  YamlMap map(YamlValue::load(file));
+  YamlMap map(YamlValue::load(find_shipped("faults", file)));
   scenario.draws = read_schedules(map, place);
   if (const auto expect = map.find("expect")) {
     const auto more = read_expect(*expect);
@@ -124,8 +130,7 @@ std::string indented(const std::string& text) {
 }  // namespace
 
 std::filesystem::path find_scenario(const std::filesystem::path& given) {
-  const auto shipped = shipped_folder("scenarios") / given;
-  return !given.has_parent_path() && !exists(given) && exists(shipped) ? shipped : given;
+  return find_shipped("scenarios", given);
 }
 
 Scenario read_scenario(const std::filesystem::path& file, const Overrides& overrides) {

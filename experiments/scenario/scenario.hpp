@@ -36,7 +36,8 @@ struct Overrides {
   std::optional<Command> coordinator{};
   std::optional<std::string> day{};
   std::optional<std::uint64_t> seed{};
-  std::optional<std::filesystem::path> faults{};  ///< a schedule file; its `expect` adds to the scenario's
+  std::optional<std::filesystem::path> faults{};  ///< a schedule file, or the name of one that is
+                                                  ///< shipped; its `expect` adds to the scenario's
   std::optional<std::string> transport{};
   std::optional<int> regions_per_process{};
   std::optional<std::string> engine{};

@@ -198,6 +198,7 @@ std::vector<Schedule> read_schedules(YamlMap& map, const Place& place) {
     return schedules;
   }
   std::vector<PlacedFault> placed;
+  placed.reserve(entries.size());
   for (const auto& entry : entries) {
     placed.push_back({read_fault(entry, place), entry});
   }

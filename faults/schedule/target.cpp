@@ -32,11 +32,15 @@ std::vector<int> read_candidates(const std::optional<YamlValue>& of, const Fault
   return list ? read_regions(*list, place, needs_points(type)) : regions_with(place, min_points->integer(1, 1'000'000));
 }
 
-Quantity read_pick(const YamlValue& value, const std::vector<int>& candidates) {
-  const int most = static_cast<int>(candidates.size());
-  if (most == 0) {
+void refuse_nobody(const YamlValue& value, const std::vector<int>& candidates) {
+  if (candidates.empty()) {
     throw value.error("no region fits; ask for fewer points");
   }
+}
+
+Quantity read_pick(const YamlValue& value, const std::vector<int>& candidates) {
+  refuse_nobody(value, candidates);
+  const int most = static_cast<int>(candidates.size());
   if (value.is_scalar()) {
     value.integer(1, most);
   }
@@ -45,20 +49,18 @@ Quantity read_pick(const YamlValue& value, const std::vector<int>& candidates) {
 
 /// The regions of a target: a list, or so many of some.
 void read_where(YamlMap& map, const FaultType& type, const Place& place, Target& target) {
-  const bool network = family_of(type.effect) == FaultFamily::network;
   const auto list = map.find(list_key(type));
   const auto one = names_agents(type) ? map.find("agent") : std::nullopt;
   const auto pick = map.find("pick");
   const auto of = map.find("of");
-  const auto fraction = network ? map.find("fraction") : std::nullopt;
+  const auto fraction = map.find("fraction");
   map.finish();
   const int given = int{list.has_value()} + int{one.has_value()} + int{pick.has_value()} + int{fraction.has_value()};
   const bool may_be_all = type.target == TargetKind::topics;
-  if (given > 1 || (given == 0 && !may_be_all) || (of && !pick)) {
+  if (given > 1 || (given == 0 && !may_be_all) || (of && !pick && !fraction)) {
     throw map.value().error(std::string("expected either `") + list_key(type) + ": [..]`" +
                             (names_agents(type) ? ", `agent: k`, `coordinator: true`, `injector: true`" : "") +
-                            (network ? ", `fraction: f`" : "") +
-                            " or `pick: n`, with or without `of: {min_points: k}`");
+                            ", or `pick: n` or `fraction: f`, with or without `of: {min_points: k}`");
   }
   if (one) {
     target.candidates = {one->integer(0, static_cast<int>(place.points_per_region.size()) - 1)};
@@ -72,6 +74,7 @@ void read_where(YamlMap& map, const FaultType& type, const Place& place, Target&
   if (pick) {
     target.pick = read_pick(*pick, target.candidates);
   } else if (fraction) {
+    refuse_nobody(*fraction, target.candidates);
     target.pick = read_quantity(*fraction, Unit::number, {0.0, 1.0});
     target.share = true;
   }

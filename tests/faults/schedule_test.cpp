@@ -147,8 +147,12 @@ TEST(Schedule, RefusesAFaultThatIsWrong) {
            spike_with("[2, 0]", "[2, 2]", "given twice"),
            spike_with("[2, 0]", "[]", "names no region"),
            spike_with("{regions: [2, 0]}", "{region: 2}", "did you mean `regions`"),
-           spike_with("{regions: [2, 0]}", "{regions: [2], pick: 1}", "either `regions: [..]` or `pick: n`"),
+           spike_with("{regions: [2, 0]}", "{regions: [2], pick: 1}",
+                      "either `regions: [..]`, or `pick: n` or `fraction: f`"),
            spike_with("{regions: [2, 0]}", "{pick: 6}", "from 1 to 5"),
+           spike_with("{regions: [2, 0]}", "{pick: 1, fraction: 0.5}", "either `regions: [..]`"),
+           spike_with("{regions: [2, 0]}", "{fraction: 1.5}", "from 0 to 1"),
+           spike_with("{regions: [2, 0]}", "{fraction: 1, of: {min_points: 21}}", "no region fits"),
            spike_with("{regions: [2, 0]}", "{pick: 1, of: {min_points: 21}}", "no region fits"),
            spike_with("\"17:30\"", "\"04:59\"", "from 05:00 to 23:59"),
            spike_with("\"17:30\"", "5.30pm", "is no time of day"),
@@ -250,6 +254,16 @@ TEST(Schedule, RefusesFaultsThatExcludeEachOther) {
   expect_refused({both(drop + "plan}", drop + "all}"), 3, "both are network.drop in region 1"});
   EXPECT_NO_THROW(read_text(both(drop + "plan}", drop + "report}")));
   expect_refused({both("solver.fail, duration: 1h", "solver.fail, duration: 1h"), 3, "in the coordinator"});
+}
+
+TEST(Schedule, TakesAShareOfTheRegionsThatFit) {
+  const auto regions = [](const std::string& target) {
+    return read_text(schedule_of({replaced(spike, "{regions: [2, 0]}", target)})).faults.at(0).regions;
+  };
+  EXPECT_EQ(regions("{fraction: 0.6}").size(), 3U);
+  EXPECT_EQ(regions("{fraction: 0.01}").size(), 1U) << "at least one";
+  EXPECT_EQ(regions("{fraction: 1, of: {min_points: 1}}"), (std::vector<int>{1, 3, 4}));
+  EXPECT_EQ(regions("{fraction: 0.5, of: {regions: [1, 2, 3, 4]}}").size(), 2U);
 }
 
 TEST(Schedule, IsDrawnAsOftenAsAsked) {
