@@ -11,6 +11,7 @@ namespace {
 /// Twice each value's mean rank, less its mean over all: whole numbers.
 std::vector<double> centred_ranks(const std::vector<double>& values) {
   std::vector<double> ranks;
+  ranks.reserve(values.size());
   for (const double value : values) {
     const auto below = std::count_if(values.begin(), values.end(), [value](double other) { return other < value; });
     const auto above = std::count_if(values.begin(), values.end(), [value](double other) { return other > value; });

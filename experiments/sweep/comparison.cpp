@@ -60,8 +60,12 @@ std::map<std::string, std::string> settings_of(const FinishedDay& day) {
 
 using References = std::map<Occasion, Reference>;
 
-void check_metric(const std::string& name) {
-  const auto names = finished_metrics();
+void check_metric(const std::string& name, const std::vector<FinishedDay>& days) {
+  std::vector<std::string> names;
+  names.reserve(days.front().totals.size());
+  for (const auto& [known, value] : days.front().totals) {
+    names.push_back(known);
+  }
   if (std::find(names.begin(), names.end(), name) == names.end()) {
     throw bad_input("`" + name + "` is no metric" + did_you_mean(name, names) + "; see docs/metrics.md");
   }
@@ -214,8 +218,8 @@ std::vector<Compared> compare_variant(const std::vector<const FinishedDay*>& day
 }  // namespace
 
 std::vector<Compared> compare(const std::vector<FinishedDay>& days, const Question& question) {
-  check_metric(question.metric);
-  check_metric(question.at.value_or(question.metric));
+  check_metric(question.metric, days);
+  check_metric(question.at.value_or(question.metric), days);
   const References references = references_of(days, question);
   using Group = std::tuple<std::string, std::string, std::string>;
   std::vector<Group> groups;

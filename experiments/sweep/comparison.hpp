@@ -39,7 +39,7 @@ struct Compared {
 /// Compares every other variant with the reference, on each (scenario, faults, day, seed) that both have. At equal cost
 /// the reference's value is taken from its front, which are its settings on that day and seed, and never extrapolated;
 /// together are then the mean over the settings that lie inside. Otherwise the reference must have one setting. Throws
-/// Error{bad_input} if it has several, or if a name is unknown.
+/// Error{bad_input} if it has several, or if a name is unknown. There is one day at least.
 std::vector<Compared> compare(const std::vector<FinishedDay>& days, const Question& question);
 
 /// Adjusts the p values of rows that are read together.

@@ -132,6 +132,7 @@ void Occasions::cut(std::size_t days, std::size_t seeds) {
 
 std::vector<std::string> Occasions::scenarios() const {
   std::vector<std::string> names;
+  names.reserve(scenarios_.size());
   for (const auto& scenario : scenarios_) {
     names.push_back(scenario.name);
   }

@@ -37,6 +37,7 @@ std::string means(const MeansSection& section, const std::vector<FinishedDay>& d
     Words cells = {std::get<0>(group), std::get<1>(group), std::get<2>(group)};
     for (const auto& metric : section.metrics) {
       std::vector<DayValue> values;
+      values.reserve(of_group.size());
       for (const auto* day : of_group) {
         values.push_back({day->day, day->totals.at(metric)});
       }
@@ -95,7 +96,9 @@ std::string settings(const SettingsSection& section, const std::vector<FinishedD
     }
     std::string list;
     for (const auto& [path, value] : day.settings) {
-      list += value.empty() ? "" : (list.empty() ? "`" : ", `") + path + "` " + value;
+      if (!value.empty()) {
+        list.append(list.empty() ? "`" : ", `").append(path).append("` ").append(value);
+      }
     }
     text += table_row({day.scenario, day.variant, day.controller, list});
   }
@@ -119,7 +122,10 @@ std::string listed(const std::vector<FinishedDay>& days, const Value& value) {
 
 }  // namespace
 
-std::string page_markdown(const Page& page, const std::vector<FinishedDay>& days, const std::string& command) {
+std::string page_markdown(const Page& page, std::vector<FinishedDay> days, const std::string& command) {
+  for (auto& day : days) {
+    day.totals["objective"] = priced(page.objective, day);
+  }
   std::string text =
       "# " + page.title + "\n\n" + page.text + "\n\nMade by\n\n    " + command + "\n\nfrom " +
       std::to_string(days.size()) +

@@ -2,6 +2,7 @@
 
 #include "common/yaml.hpp"
 #include "experiments/sweep/finished_day.hpp"
+#include "experiments/sweep/prices.hpp"
 
 #include <map>
 #include <optional>
@@ -50,6 +51,7 @@ struct PageSection {
 struct Page {
   std::string title;
   std::string text;
+  Prices objective{};  ///< makes the metric `objective` of each day; empty: there is none
   std::vector<PageSection> sections;
 };
 
@@ -58,6 +60,6 @@ struct Page {
 Page read_page(const YamlValue& value, const std::vector<std::string>& variants);
 
 /// The page as Markdown. `command` is what makes it again.
-std::string page_markdown(const Page& page, const std::vector<FinishedDay>& days, const std::string& command);
+std::string page_markdown(const Page& page, std::vector<FinishedDay> days, const std::string& command);
 
 }  // namespace evbal

@@ -49,6 +49,7 @@ std::vector<Answer> answers_of(const CompareSection& section, const std::vector<
     }
   }
   std::vector<Compared> family;
+  family.reserve(answers.size());
   for (const auto& answer : answers) {
     family.push_back(answer.row);
   }

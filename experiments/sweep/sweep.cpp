@@ -82,6 +82,7 @@ std::vector<Variant> read_variants(const YamlValue& list) {
 
 std::vector<std::string> names_of(const std::vector<Variant>& variants) {
   std::vector<std::string> names;
+  names.reserve(variants.size());
   for (const auto& variant : variants) {
     names.push_back(variant.name);
   }

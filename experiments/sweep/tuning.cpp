@@ -1,7 +1,6 @@
 #include "experiments/sweep/tuning.hpp"
 
 #include "coordinator/balancing/controllers.hpp"
-#include "experiments/metrics/metrics.hpp"
 #include "experiments/record/text.hpp"
 
 #include <algorithm>
@@ -82,23 +81,6 @@ std::vector<Tunable> read_tunables(const YamlValue& list) {
   return variants;
 }
 
-std::vector<std::pair<std::string, double>> read_objective(const YamlValue& value) {
-  const std::vector<std::string> names = metric_names();
-  std::vector<std::pair<std::string, double>> prices;
-  YamlMap map(value);
-  for (const auto& metric : map.keys()) {
-    const YamlValue price = map.require(metric);
-    if (std::find(names.begin(), names.end(), metric) == names.end()) {
-      throw price.error("`" + metric + "` is no metric" + did_you_mean(metric, names) + "; see docs/metrics.md");
-    }
-    prices.emplace_back(metric, price.number());
-  }
-  if (prices.empty()) {
-    throw value.error("prices nothing; give at least one metric its price");
-  }
-  return prices;
-}
-
 /// What is tuned on test days would be told what it is examined on.
 void refuse_test_days(const Occasions& occasions, const std::vector<YamlValue>& days) {
   for (const auto& name : occasions.scenarios()) {
@@ -127,14 +109,6 @@ std::size_t occasions_for(std::size_t left, std::size_t all) {
   return std::clamp<std::size_t>(2 * all / left, 1, all);
 }
 
-double priced(const Tuning& tuning, const FinishedDay& day) {
-  double sum = 0.0;
-  for (const auto& [metric, price] : tuning.objective) {
-    sum += price * day.totals.at(metric);
-  }
-  return sum;
-}
-
 }  // namespace
 
 Tuning read_tuning(const std::filesystem::path& file, bool quick) {
@@ -142,7 +116,7 @@ Tuning read_tuning(const std::filesystem::path& file, bool quick) {
   map.require("schema").integer(1, 1);
   Tuning tuning{.occasions = Occasions(map)};
   refuse_test_days(tuning.occasions, map.require("days").items());
-  tuning.objective = read_objective(map.require("objective"));
+  tuning.objective = read_prices(map.require("objective"));
   tuning.candidates = map.require("candidates").integer(2, 1024);
   tuning.variants = read_tunables(map.require("variants"));
   map.finish();
@@ -203,7 +177,7 @@ void judge_round(const Tuning& tuning, const std::vector<FinishedDay>& days, std
       double sum = 0.0;
       for (std::size_t j = 0; j < occasions; ++j) {
         assert(day != days.end());
-        sum += priced(tuning, *day++);
+        sum += priced(tuning.objective, *day++);
       }
       contest.candidates[i].objective = sum / static_cast<double>(occasions);
       contest.candidates[i].days = static_cast<int>(occasions);

@@ -1,13 +1,13 @@
 #pragma once
 
 #include "experiments/sweep/occasions.hpp"
+#include "experiments/sweep/prices.hpp"
 #include "experiments/sweep/sweep.hpp"
 #include "experiments/sweep/sweep_file.hpp"
 #include "experiments/sweep/tuned.hpp"
 
 #include <filesystem>
 #include <string>
-#include <utility>
 #include <vector>
 
 /// The search for each controller's settings on training days (docs/tuning.md): the same number of candidates, spread
@@ -31,8 +31,8 @@ struct Tunable {
 
 struct Tuning {
   Occasions occasions;
-  std::vector<std::pair<std::string, double>> objective{};  ///< prices of metrics: their sum is to be small
-  int candidates = 0;                                       ///< of every variant
+  Prices objective{};  ///< the sum is to be small
+  int candidates = 0;  ///< of every variant
   std::vector<Tunable> variants{};
 };
 

@@ -86,6 +86,15 @@ TEST(Page, ShowsMeansRanksAndSettings) {
   expect_in("| toy | ref | ratio | `price` 1 |", text);
 }
 
+TEST(Page, PricesDays) {
+  const Page asked = read_page(YamlValue::parse("title: A\nobjective: {idle_km: 1, lost: 2}\nsections:\n"
+                                                "- {title: B, means: {variants: [new], metrics: [objective]}}\n",
+                                                "sweep.yaml"),
+                               variants);
+  expect_in("| toy | calm | new | 115 ± 4.97 |", page_markdown(asked, small_sweep(), ""));
+  EXPECT_THROW(read("- {title: B, means: {variants: [new], metrics: [objective]}}\n"), Error);
+}
+
 TEST(Page, RefusesWhatItDoesNotKnow) {
   const auto refuse = [](const std::string& section, const std::string& word) {
     try {
