@@ -2,10 +2,6 @@
 
 #include "common/error.hpp"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
 #include <set>
@@ -20,16 +16,6 @@ namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
 constexpr auto patience = 2s;  // a killed launcher's worker holds the directory until it has been killed, too
-
-/// The directory, held; -1 if somebody else holds it.
-int hold(const fs::path& folder) {
-  const int file = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (file >= 0 && flock(file, LOCK_EX | LOCK_NB) != 0) {
-    close(file);
-    return -1;
-  }
-  return file;
-}
 
 /// Whether a run may have written the file.
 bool is_of_run(const fs::path& file) {
@@ -75,15 +61,15 @@ OutFolder::OutFolder(fs::path folder) : folder_(std::move(folder)) {
   if (failed) {
     throw refuse("cannot be made (" + failed.message() + "); give another one");
   }
-  for (auto waited = 0ms; held_ < 0 && waited < patience; waited += 10ms) {
-    held_ = hold(folder_);
-    std::this_thread::sleep_for(held_ < 0 ? 10ms : 0ms);
+  lock_.emplace(folder_);
+  for (auto waited = 0ms; !lock_->held() && waited < patience; waited += 10ms) {
+    std::this_thread::sleep_for(10ms);
+    lock_.emplace(folder_);
   }
-  if (held_ < 0) {
+  if (!lock_->held()) {
     throw refuse("is being written by another run; give a new one");
   }
   if (!fs::is_empty(folder_) && !has_broken_record(folder_)) {
-    close(held_);
     throw refuse("is there and not an empty directory; give a new one");
   }
   for (const auto& entry : fs::directory_iterator(folder_)) {
@@ -91,14 +77,8 @@ OutFolder::OutFolder(fs::path folder) : folder_(std::move(folder)) {
   }
 }
 
-OutFolder::~OutFolder() {
-  close(held_);
-}
-
 bool broke_off(const fs::path& folder) {
-  const int held = hold(folder);
-  close(held);
-  return held >= 0 && has_broken_record(folder);
+  return FolderLock(folder).held() && has_broken_record(folder);
 }
 
 }  // namespace evbal

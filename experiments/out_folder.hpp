@@ -1,6 +1,9 @@
 #pragma once
 
+#include "common/folder_lock.hpp"
+
 #include <filesystem>
+#include <optional>
 
 namespace evbal {
 
@@ -11,15 +14,12 @@ class OutFolder {
   /// Makes the directory, or takes an empty one, or one whose run broke off, of which everything is removed. Throws
   /// Error{bad_input} if it has anything else in it, or if a run goes on there.
   explicit OutFolder(std::filesystem::path folder);
-  ~OutFolder();
-  OutFolder(const OutFolder&) = delete;
-  OutFolder& operator=(const OutFolder&) = delete;
 
   const std::filesystem::path& path() const { return folder_; }
 
  private:
   std::filesystem::path folder_;
-  int held_ = -1;
+  std::optional<FolderLock> lock_;
 };
 
 /// Whether a run was recorded there, broke off, and goes on no more.

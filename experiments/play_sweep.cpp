@@ -10,9 +10,6 @@
 #include "experiments/sweep/workers.hpp"
 
 #include <CLI/CLI.hpp>
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include <string>
 #include <utility>
@@ -34,15 +31,10 @@ SweepFolder::SweepFolder(fs::path folder) : folder_(std::move(folder)) {
     throw bad_input("--out: " + folder_.string() + " is there and holds no sweep; give a new one");
   }
   fs::create_directories(folder_);
-  lock_ = open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (flock(lock_, LOCK_EX | LOCK_NB) != 0) {
-    close(lock_);
+  lock_.emplace(folder_);
+  if (!lock_->held()) {
     throw bad_input(folder_.string() + ": another evbal is at work there; wait for it or give another --out");
   }
-}
-
-SweepFolder::~SweepFolder() {
-  close(lock_);
 }
 
 std::vector<std::string> keys_of(const Sweep& sweep) {

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "common/folder_lock.hpp"
 #include "experiments/sweep/sweep.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,16 +29,13 @@ class SweepFolder {
  public:
   /// Made if it is missing. Throws Error{bad_input} if it holds something else or another process has it.
   explicit SweepFolder(std::filesystem::path folder);
-  ~SweepFolder();
-  SweepFolder(const SweepFolder&) = delete;
-  SweepFolder& operator=(const SweepFolder&) = delete;
 
   const std::filesystem::path& path() const { return folder_; }
   std::filesystem::path file() const { return folder_ / "sweep.sqlite"; }
 
  private:
   std::filesystem::path folder_;
-  int lock_ = -1;
+  std::optional<FolderLock> lock_;
 };
 
 /// A fingerprint of each day's resolved scenario. Throws Error{bad_input} if one is wrong.
