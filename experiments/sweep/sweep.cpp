@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <set>
 
 namespace evbal {
 namespace {
@@ -66,18 +65,6 @@ Variant read_variant(const YamlValue& value) {
   }
   map.finish();
   return variant;
-}
-
-std::vector<Variant> read_variants(const YamlValue& list) {
-  std::vector<Variant> variants;
-  std::set<std::string> names;
-  for (const auto& item : distinct_items(list)) {
-    variants.push_back(read_variant(item));
-    if (!names.insert(variants.back().name).second) {
-      throw item.error("variant `" + variants.back().name + "` is given twice; give this one another `name`");
-    }
-  }
-  return variants;
 }
 
 std::vector<std::string> names_of(const std::vector<Variant>& variants) {
@@ -159,7 +146,7 @@ Tuned tuned_for(YamlMap& map, const SweepReading& reading) {
 Sweep read_sweep(const fs::path& file, const SweepReading& reading) {
   YamlMap map(YamlValue::load(file));
   map.require("schema").integer(1, 1);
-  std::vector<Variant> variants = read_variants(map.require("variants"));
+  std::vector<Variant> variants = read_variants(map.require("variants"), read_variant);
   Occasions occasions(map);
   const Tuned tuned = tuned_for(map, reading);
   const auto page = map.find("page");

@@ -7,7 +7,6 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <set>
 
 namespace evbal {
 namespace {
@@ -69,18 +68,6 @@ Tunable read_tunable(const YamlValue& value) {
   return variant;
 }
 
-std::vector<Tunable> read_tunables(const YamlValue& list) {
-  std::vector<Tunable> variants;
-  std::set<std::string> names;
-  for (const auto& item : distinct_items(list)) {
-    variants.push_back(read_tunable(item));
-    if (!names.insert(variants.back().name).second) {
-      throw item.error("variant `" + variants.back().name + "` is given twice; give this one another `name`");
-    }
-  }
-  return variants;
-}
-
 /// What is tuned on test days would be told what it is examined on.
 void refuse_test_days(const Occasions& occasions, const std::vector<YamlValue>& days) {
   for (const auto& name : occasions.scenarios()) {
@@ -118,7 +105,7 @@ Tuning read_tuning(const std::filesystem::path& file, bool quick) {
   refuse_test_days(tuning.occasions, map.require("days").items());
   tuning.objective = read_prices(map.require("objective"));
   tuning.candidates = map.require("candidates").integer(2, 1024);
-  tuning.variants = read_tunables(map.require("variants"));
+  tuning.variants = read_variants(map.require("variants"), read_tunable);
   map.finish();
   if (quick) {
     tuning.occasions.cut(1, 1);
