@@ -58,12 +58,12 @@ class FixReader {
   /// Null if `fix` was filled in, else the reason.
   const char* read(const RawTable& row, Fix& fix) {
     if (!row.whole()) {
-      return kMalformed;
+      return malformed_row;
     }
     if (format_.vehicle) {
       const std::string_view name = row.text(*format_.vehicle);
       if (!is_plain(name)) {
-        return kMalformed;
+        return malformed_row;
       }
       begin_vehicle(name);
     }
@@ -72,9 +72,10 @@ class FixReader {
     const std::string_view flag = row.text(format_.occupied);
     if (!lat || !lon || std::abs(*lat) > 90.0 || std::abs(*lon) > 180.0 ||
         (flag != format_.occupied_word && flag != format_.free_word)) {
-      return kMalformed;
+      return malformed_row;
     }
-    if (const char* reason = read_time(row.text(format_.time), fix.time)) {
+    if (const char* reason =
+            read_record_time(row.text(format_.time), format_.time_form, format_.clock, at_->second, fix.time)) {
       return reason;
     }
     if (fix.time <= at_->second) {
@@ -86,21 +87,7 @@ class FixReader {
     return nullptr;
   }
 
-  static constexpr const char* kMalformed = "malformed row";
-
  private:
-  const char* read_time(std::string_view text, long long& time) const {
-    switch (read_record_time(text, format_.time_form, format_.clock, at_->second, time)) {
-      case TimeFault::malformed:
-        return kMalformed;
-      case TimeFault::skipped_by_clocks:
-        return "at a local time that the clocks skipped";
-      case TimeFault::none:
-        break;
-    }
-    return nullptr;
-  }
-
   const GpsFormat& format_;
   LastTimes& last_;
   LastTimes::iterator at_ = last_.end();
@@ -130,7 +117,7 @@ FixCount for_each_fix(const std::filesystem::path& folder, const GpsFormat& form
       ++count.read;
       if (const char* reason = reader.read(table, fix)) {
         ++count.dropped[reason];
-        malformed += reason == FixReader::kMalformed ? 1 : 0;
+        malformed += reason == malformed_row ? 1 : 0;
         if (rows == kRowsToJudge && malformed == rows) {
           throw table.error("and all rows before it are malformed; is the description of this table?");
         }

@@ -37,7 +37,7 @@ class StationReader {
   /// Empty if a station was added, else the reason.
   std::string add(const RawTable& row) {
     if (!row.whole()) {
-      return "malformed row";
+      return malformed_row;
     }
     const auto lat = parse_number(row.text(format_.lat));
     const auto lon = parse_number(row.text(format_.lon));
@@ -45,7 +45,7 @@ class StationReader {
     const std::string name(row.text(format_.name));
     if (!lat || !lon || !points || std::abs(*lat) > 90.0 || std::abs(*lon) > 180.0 || *points > kMostPoints ||
         !is_plain(name)) {
-      return "malformed row";
+      return malformed_row;
     }
     if (*points < 1) {
       return "no points";

@@ -14,7 +14,6 @@ namespace evbal {
 namespace {
 
 constexpr long long kRowsToJudge = 100;  // a table none of whose first rows is sound is another table
-constexpr const char* kMalformed = "malformed row";
 
 struct Row {
   long long pickup = 0;  ///< UTC seconds
@@ -32,27 +31,18 @@ class RowReader {
   /// Null if `row` was filled in, else the reason. `number` is the row's, which places in zones are drawn by.
   const char* read(const RawTable& table, long long number, Row& row) const {
     if (!table.whole()) {
-      return kMalformed;
+      return malformed_row;
     }
-    const char* reason = read_time(table.text(format_.pickup.time), std::numeric_limits<long long>::min(), row.pickup);
-    reason = reason ? reason : read_time(table.text(format_.dropoff.time), row.pickup - 1, row.dropoff);
+    const char* reason = read_record_time(table.text(format_.pickup.time), format_.time_form, clock_,
+                                          std::numeric_limits<long long>::min(), row.pickup);
+    reason = reason ? reason
+                    : read_record_time(table.text(format_.dropoff.time), format_.time_form, clock_, row.pickup - 1,
+                                       row.dropoff);
     reason = reason ? reason : read_place(table, format_.pickup, 2 * number, row.from);
     return reason ? reason : read_place(table, format_.dropoff, 2 * number + 1, row.to);
   }
 
  private:
-  const char* read_time(std::string_view text, long long after, long long& time) const {
-    switch (read_record_time(text, format_.time_form, clock_, after, time)) {
-      case TimeFault::malformed:
-        return kMalformed;
-      case TimeFault::skipped_by_clocks:
-        return "at a local time that the clocks skipped";
-      case TimeFault::none:
-        break;
-    }
-    return nullptr;
-  }
-
   const char* read_place(const RawTable& table, const TripFormat::End& end, long long draw, LatLon& place) const {
     if (!format_.zone_field.empty()) {
       const auto found = zones_.place(table.text(end.zone), static_cast<std::uint64_t>(draw));
@@ -62,7 +52,7 @@ class RowReader {
     const auto lat = parse_number(table.text(end.lat));
     const auto lon = parse_number(table.text(end.lon));
     if (!lat || !lon || std::abs(*lat) > 90.0 || std::abs(*lon) > 180.0) {
-      return kMalformed;
+      return malformed_row;
     }
     place = {*lat, *lon};
     return nullptr;
@@ -143,7 +133,7 @@ RowCount for_each_trip(const std::filesystem::path& folder, const TripFormat& fo
         continue;
       }
       ++count.dropped[reason];
-      malformed += unread == kMalformed ? 1 : 0;
+      malformed += unread == malformed_row ? 1 : 0;
       if (rows == kRowsToJudge && malformed == rows) {
         throw table.error("and all rows before it are malformed; is the description of this table?");
       }

@@ -1,6 +1,7 @@
 #include "tools/records/record_time.hpp"
 
 #include "agents/city/table.hpp"
+#include "tools/records/raw_table.hpp"
 
 #include <algorithm>
 
@@ -15,23 +16,23 @@ TimeForm read_time_form(YamlMap& map) {
   return static_cast<TimeForm>(map.require("time").one_of({"unix", "utc", "local"}));
 }
 
-TimeFault read_record_time(std::string_view text, TimeForm form, const LocalClock& clock, long long after,
-                           long long& time) {
+const char* read_record_time(std::string_view text, TimeForm form, const LocalClock& clock, long long after,
+                             long long& time) {
   const auto shown = form == TimeForm::unix_seconds ? parse_integer(text) : parse_time(text);
   if (!shown || *shown < 0 || *shown > kLastSecond) {
-    return TimeFault::malformed;
+    return malformed_row;
   }
   if (form != TimeForm::local) {
     time = *shown;
-    return TimeFault::none;
+    return nullptr;
   }
   const auto possible = clock.utc(*shown);
   if (possible.empty()) {
-    return TimeFault::skipped_by_clocks;
+    return "at a local time that the clocks skipped";
   }
   const auto later = std::upper_bound(possible.begin(), possible.end(), after);
   time = later == possible.end() ? possible.back() : *later;
-  return TimeFault::none;
+  return nullptr;
 }
 
 }  // namespace evbal

@@ -16,12 +16,9 @@ enum class TimeForm {
 /// Reads the key `time`: unix, utc or local.
 TimeForm read_time_form(YamlMap& map);
 
-/// What a time of the records may turn out to be, beside a time.
-enum class TimeFault { none, malformed, skipped_by_clocks };
-
-/// Puts UTC seconds into `time`; a local time that clocks show twice is the first one after `after`. Nothing is put if
-/// it is no time, or one that the clocks skipped.
-TimeFault read_record_time(std::string_view text, TimeForm form, const LocalClock& clock, long long after,
-                           long long& time);
+/// Puts UTC seconds into `time`; a local time that clocks show twice is the first one after `after`. Gives null, or why
+/// not: malformed_row if it is no time, another reason if the clocks skipped it.
+const char* read_record_time(std::string_view text, TimeForm form, const LocalClock& clock, long long after,
+                             long long& time);
 
 }  // namespace evbal
