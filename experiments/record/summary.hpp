@@ -19,8 +19,8 @@ namespace evbal {
 ///                  0 in one process; and how often one was started again
 ///     step_seconds wall time of a step: median, max, and median of what is left without the solver
 ///     wall_seconds
-///     network      loss, delay_ms, deterministic_in_time, exchange_seconds (of a tick, without the solver); only if the
-///                  scenario has the key
+///     network      loss, delay_ms, deterministic_in_time, exchange_seconds (of a tick, without the solver); only
+///                  if the scenario has the key
 ///
 /// `transport`, `processes`, `network` and what is measured in seconds depend on how the day was run, nothing else
 /// does.
