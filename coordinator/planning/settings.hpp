@@ -35,10 +35,10 @@ struct PlanningSettings {
   bool foresees() const { return controller == "oracle"; }
 };
 
-/// Reads the planning keys of a scenario: controller, coordinator, engine, iterations, model,
-/// innovation_test, balancing. All may be
-/// left out; `model: pack`, the default, is the file beside the city's pack, another path is relative to the scenario's
-/// file. `coordinator` stands in place of the scenario's. Throws Error{bad_input} with file, line and reason.
+/// Reads the planning keys of a scenario: controller, coordinator, engine, iterations, model, innovation_test,
+/// balancing. All may be left out; `model: pack`, the default, is the file beside the city's pack, another path is
+/// relative to the scenario's file. `coordinator` stands in place of the scenario's. Throws Error{bad_input} with file,
+/// line and reason.
 PlanningSettings read_planning(YamlMap& scenario, const std::optional<Command>& coordinator = {});
 
 /// Reads the name of a controller: one of evbal's own or, with a coordinator in place of evbal's, whatever that one
