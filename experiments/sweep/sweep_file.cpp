@@ -74,7 +74,7 @@ std::vector<std::string> additive_metrics() {
 std::string after_7_query() {
   std::string sums;
   for (const auto& name : additive_metrics()) {
-    sums += ", sum(\"" + name + "\") AS \"" + name + "_after_7\"";
+    sums.append(", sum(\"").append(name).append("\") AS \"").append(name).append("_after_7\"");
   }
   return "(SELECT key" + sums + " FROM steps WHERE start >= '07:00' GROUP BY key)";
 }
