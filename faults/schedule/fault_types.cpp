@@ -98,6 +98,7 @@ const std::vector<std::string>& on_start_words() {
 const std::vector<std::string>& report_field_words() {
   static const std::vector<std::string> words = [] {
     std::vector<std::string> names;
+    names.reserve(measured.size());
     for (const Measured& count : measured) {
       names.emplace_back(count.name);
     }
