@@ -117,7 +117,7 @@ FixCount for_each_fix(const std::filesystem::path& folder, const GpsFormat& form
       ++count.read;
       if (const char* reason = reader.read(table, fix)) {
         ++count.dropped[reason];
-        malformed += reason == malformed_row ? 1 : 0;
+        malformed += std::string_view(reason) == malformed_row ? 1 : 0;
         if (rows == kRowsToJudge && malformed == rows) {
           throw table.error("and all rows before it are malformed; is the description of this table?");
         }

@@ -133,7 +133,7 @@ RowCount for_each_trip(const std::filesystem::path& folder, const TripFormat& fo
         continue;
       }
       ++count.dropped[reason];
-      malformed += unread == malformed_row ? 1 : 0;
+      malformed += reason == malformed_row ? 1 : 0;
       if (rows == kRowsToJudge && malformed == rows) {
         throw table.error("and all rows before it are malformed; is the description of this table?");
       }

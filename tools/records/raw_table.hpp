@@ -26,7 +26,7 @@ TableFormat read_table_format(YamlMap& map);
 /// for.
 std::size_t add_column(TableFormat& format, const YamlValue& value);
 
-/// Why a row is dropped whose fields are missing or are not what they should be; reasons are told by address.
+/// Why a row is dropped whose fields are missing or are not what they should be.
 inline constexpr const char* malformed_row = "malformed row";
 
 /// The rows of a table of raw records, plain or compressed, as a stream. Fields may stand in double quotes.
