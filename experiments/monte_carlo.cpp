@@ -152,9 +152,8 @@ std::string disappointments(const std::vector<Drawn>& all) {
       if (misses > 0) {
         const std::size_t worst = worst_of(values, expect.at_most);
         failed += (failed.empty() ? "" : "; ") + drawn.run.scenario.planning.controller + ": " + expect.metric +
-                  (expect.at_most ? ", expected at most " : ", expected at least ") + shortest(expect.bound) +
-                  ", fails in " + std::to_string(misses) + " of " + std::to_string(values.size()) + " draws, in " +
-                  name_of(worst) + " it is " + shortest(values[worst]);
+                  ", expected " + expect.words() + ", fails in " + std::to_string(misses) + " of " +
+                  std::to_string(values.size()) + " draws, in " + name_of(worst) + " it is " + shortest(values[worst]);
       }
     }
   }

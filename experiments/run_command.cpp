@@ -72,9 +72,10 @@ std::string write_reports(const fs::path& folder, const std::vector<RunResult>& 
     runs.push_back(read_run(result.folder));
     if (!runs.back().faults.empty()) {
       const RecordedRun twin = read_run(twin_folder(result.folder));
-      write_costs(runs.back(), twin);
+      const auto costs = costs_of(runs.back(), twin);
+      write_costs(runs.back(), twin, costs);
       write_report(twin.folder / "report.html", {twin});
-      tables += result.controller + ": what the faults cost\n" + cost_table(costs_of(runs.back(), twin)) + "\n";
+      tables += result.controller + ": what the faults cost\n" + cost_table(costs) + "\n";
     }
     write_report(result.folder / "report.html", {runs.back()});
   }
@@ -92,7 +93,7 @@ void check_expectations(const Scenario& scenario, const std::vector<RunResult>& 
       for (const auto& expect : scenario.expect) {
         if (expect.metric == name && !expect.holds(value)) {
           failed += (failed.empty() ? "" : "; ") + result.controller + ": " + name + " is " + shortest(value) +
-                    ", expected " + (expect.at_most ? "at most " : "at least ") + shortest(expect.bound);
+                    ", expected " + expect.words();
         }
       }
     }

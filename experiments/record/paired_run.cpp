@@ -82,8 +82,7 @@ std::vector<MetricCost> costs_of(const RecordedRun& run, const RecordedRun& twin
   return costs;
 }
 
-void write_costs(const RecordedRun& run, const RecordedRun& twin) {
-  const auto costs = costs_of(run, twin);
+void write_costs(const RecordedRun& run, const RecordedRun& twin, const std::vector<MetricCost>& costs) {
   write_file(run.folder / "faults.csv", csv(run, costs));
   const auto file = run.folder / "summary.json";
   Json summary = Json::parse(text_of_file(file));

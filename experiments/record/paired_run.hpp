@@ -22,11 +22,11 @@ struct MetricCost {
 /// What the faults of `run` cost, of each of costed_metrics(). `twin` is of the same clock.
 std::vector<MetricCost> costs_of(const RecordedRun& run, const RecordedRun& twin);
 
-/// Writes faults.csv into the run's directory, and the key `without_faults` of its summary.json.
+/// Writes what costs_of says into the run's faults.csv and, as key `without_faults`, its summary.json.
 ///
 ///     faults.csv       metric, with, without, cost, area, signed_area, band, recovered_min, and
 ///                      recovered_min:NAME of each fault; empty where the day never came back
 ///     without_faults   digest of the twin; metrics, by name, of the same fields, the faults' under by_fault
-void write_costs(const RecordedRun& run, const RecordedRun& twin);
+void write_costs(const RecordedRun& run, const RecordedRun& twin, const std::vector<MetricCost>& costs);
 
 }  // namespace evbal

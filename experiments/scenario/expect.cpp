@@ -21,7 +21,17 @@ Expect read_one(const YamlValue& item) {
   return expect;
 }
 
+std::string bound_of(const Expect& expect) {
+  std::array<char, 32> bound{};
+  const auto end = std::to_chars(bound.data(), bound.data() + bound.size(), expect.bound).ptr;
+  return {bound.data(), end};
+}
+
 }  // namespace
+
+std::string Expect::words() const {
+  return (at_most ? "at most " : "at least ") + bound_of(*this);
+}
 
 const std::vector<std::string>& expectable_metrics() {
   static const std::vector<std::string> names = {
@@ -38,10 +48,7 @@ std::vector<Expect> read_expect(const YamlValue& list) {
 }
 
 std::string expect_yaml(const Expect& expect) {
-  std::array<char, 32> bound{};
-  const auto end = std::to_chars(bound.data(), bound.data() + bound.size(), expect.bound).ptr;
-  return "{metric: " + expect.metric + (expect.at_most ? ", at_most: " : ", at_least: ") +
-         std::string(bound.data(), end) + "}";
+  return "{metric: " + expect.metric + (expect.at_most ? ", at_most: " : ", at_least: ") + bound_of(expect) + "}";
 }
 
 }  // namespace evbal

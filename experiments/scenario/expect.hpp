@@ -15,6 +15,9 @@ struct Expect {
 
   bool holds(double value) const { return at_most ? value <= bound : value >= bound; }
 
+  /// "at most 900"
+  std::string words() const;
+
   bool operator==(const Expect&) const = default;
 };
 

@@ -51,7 +51,7 @@ TEST_F(PairedRun, SaysWhatTheFaultsCost) {
 }
 
 TEST_F(PairedRun, WritesItDown) {
-  write_costs(run_, twin_);
+  write_costs(run_, twin_, costs_of(run_, twin_));
   const std::string csv = text_of(run_folder() / "faults.csv");
   EXPECT_TRUE(csv.starts_with("metric,with,without,cost,area,signed_area,band,recovered_min,recovered_min:jam\n"));
   EXPECT_NE(csv.find("\nidle_km,5,5,0,0,0,1,0,0\n"), std::string::npos) << csv;
@@ -65,7 +65,7 @@ TEST_F(PairedRun, WritesItDown) {
 TEST_F(PairedRun, IsNoDifferenceToAReplay) {
   const auto header = small_header();
   recorded(folder_.path() / "again", header, small_day());
-  write_costs(twin_, run_);
+  write_costs(twin_, run_, costs_of(twin_, run_));
   EXPECT_EQ(first_difference(twin_.folder, folder_.path() / "again", header.frame.clock), std::nullopt);
 }
 
