@@ -35,9 +35,16 @@ pid_t parent_of(const std::string& process) {
                                         : static_cast<pid_t>(std::strtol(line.c_str() + name_ends + 4, nullptr, 10));
 }
 
-/// The id of the run that a process takes part in, if its launcher is gone. The id begins with the launcher's process,
-/// whose child it was then.
-std::optional<std::string> run_of_orphan(const std::string& process) {
+/// A process that takes part in a run whose launcher is gone.
+struct Orphan {
+  std::string program;
+  std::string run;  ///< its id, which begins with the launcher's process, whose child it was then
+
+  bool operator==(const Orphan&) const = default;
+};
+
+/// The process as such, if it is one.
+std::optional<Orphan> orphan(const std::string& process) {
   const std::vector<std::string> words = command_line(process);
   const auto option = std::find(words.begin(), words.end(), "--run");
   const bool takes_part = std::find(words.begin(), words.end(), "--participant") != words.end() &&
@@ -47,19 +54,19 @@ std::optional<std::string> run_of_orphan(const std::string& process) {
   }
   const long launcher = std::strtol((option + 1)->c_str(), nullptr, 10);
   const pid_t parent = parent_of(process);
-  return launcher > 0 && parent > 0 && parent != launcher ? std::optional(*(option + 1)) : std::nullopt;
+  if (launcher <= 0 || parent <= 0 || parent == launcher) {
+    return std::nullopt;
+  }
+  return Orphan{fs::path(words.front()).filename(), *(option + 1)};
 }
 
 void add_processes(std::vector<Leftover>& found) {
   for (const auto& entry : fs::directory_iterator("/proc", fs::directory_options::skip_permission_denied)) {
     const std::string id = entry.path().filename();
     const bool number = id.find_first_not_of("0123456789") == std::string::npos;
-    const std::vector<std::string> words = number ? command_line(id) : std::vector<std::string>{};
-    if (const auto run = words.empty() ? std::nullopt : run_of_orphan(id)) {
-      std::string what = fs::path(words.front()).filename();
-      what.append(" (process ").append(id).append(") of run ").append(*run);
-      found.push_back({what, [id, run] {
-                         if (run_of_orphan(id) == run) {
+    if (const auto left = number ? orphan(id) : std::nullopt) {
+      found.push_back({left->program + " (process " + id + ") of run " + left->run, [id, left] {
+                         if (orphan(id) == left) {
                            kill(static_cast<pid_t>(std::strtol(id.c_str(), nullptr, 10)), SIGKILL);
                          }
                        }});
