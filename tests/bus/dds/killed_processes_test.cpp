@@ -87,11 +87,7 @@ int kills(int few, int many) {
 
 class KilledProcessesTest : public test::ToyDay {
  protected:
-  KilledProcessesTest() {
-    scenario_.world.clock.end = 11 * 60;
-    scenario_.schedule.faults.resize(1);  // the other comes later
-    write_scenario();
-  }
+  KilledProcessesTest() { end_at_eleven(); }
 
   /// Days in which so many of the victims are killed; each must be the undisturbed one.
   void expect_undisturbed(const std::vector<std::string>& victims, int kills) {

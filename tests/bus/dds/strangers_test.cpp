@@ -15,11 +15,7 @@ using namespace std::chrono_literals;
 
 class StrangersTest : public test::ToyDay {
  protected:
-  StrangersTest() {
-    scenario_.world.clock.end = 11 * 60;
-    scenario_.schedule.faults.resize(1);  // the other comes later
-    write_scenario();
-  }
+  StrangersTest() { end_at_eleven(); }
 };
 
 /// The word after `option` on the command line of a process.

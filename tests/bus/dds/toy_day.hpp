@@ -55,6 +55,13 @@ class ToyDay : public testing::Test {
     write_scenario();
   }
 
+  /// Plays the day's first six hours, with the fault in them.
+  void end_at_eleven() {
+    scenario_.world.clock.end = 11 * 60;
+    scenario_.schedule.faults.resize(1);  // the other comes later
+    write_scenario();
+  }
+
   /// To be called once `scenario_` is changed.
   void write_scenario() const { folder_.write("scenario.resolved.yaml", resolved_yaml(scenario_, "robust")); }
 
