@@ -111,9 +111,7 @@ double LinearRelaxation::write(LinearProgram& lp, int variable, double coefficie
 LinearRelaxation::Outcome LinearRelaxation::solve() {
   const LinearProgram lp = linear_program();
   const auto clp = lp.load();
-  if (!basis_.empty()) {
-    start_from_prices(*clp);
-  }
+  basis_.empty() ? start_without_prices(*clp) : start_from_prices(*clp);
   clp->dual();
   keep_prices(*clp);
   return {.optimal = clp->isProvenOptimal(), .lower_bound = lp.lower_bound(*clp), .x = point(*clp)};
@@ -139,6 +137,42 @@ void LinearRelaxation::keep_prices(const ClpSimplex& clp) {
       }
     }
   }
+}
+
+// Basic are the variables that equations define, the last parts of curves, and each variable that would grow without
+// end but for a row, in that row: the last such row, whose price then holds for the steps before. So hardly any price
+// has the wrong sign but those of columns with two bounds, which the dual method puts right without a pivot.
+void LinearRelaxation::start_without_prices(ClpSimplex& clp) const {
+  clp.createStatus();
+  for (int column = 0; column < program_.variables(); ++column) {
+    if (clp.columnLower()[column] == -COIN_DBL_MAX) {
+      clp.setColumnStatus(column, ClpSimplex::basic);
+    }
+  }
+  for (int row = program_.rows() - 1; row >= 0; --row) {
+    if (clp.rowLower()[row] == clp.rowUpper()[row] || holds_back(clp, row)) {
+      clp.setRowStatus(row, ClpSimplex::atUpperBound);
+    }
+  }
+  for (std::size_t n = 0; n < curves_.size(); ++n) {
+    clp.setColumnStatus(curves_[n].row->of, ClpSimplex::basic);
+    clp.setColumnStatus(curves_[n].first_part + static_cast<int>(curves_[n].pieces.size()) - 1, ClpSimplex::basic);
+    clp.setRowStatus(program_.rows() + static_cast<int>(n), ClpSimplex::atUpperBound);
+  }
+}
+
+// Whether the row keeps a variable from growing without end that no other row was found for, which is then basic.
+bool LinearRelaxation::holds_back(ClpSimplex& clp, int row) const {
+  for (int at = program_.row_start()[static_cast<std::size_t>(row)];
+       at < program_.row_start()[static_cast<std::size_t>(row) + 1]; ++at) {
+    const auto& [column, coefficient] = program_.entries()[static_cast<std::size_t>(at)];
+    if (coefficient > 0.0 && clp.rowUpper()[row] < COIN_DBL_MAX && clp.objective()[column] < 0.0 &&
+        clp.columnUpper()[column] == COIN_DBL_MAX && clp.getColumnStatus(column) != ClpSimplex::basic) {
+      clp.setColumnStatus(column, ClpSimplex::basic);
+      return true;
+    }
+  }
+  return false;
 }
 
 void LinearRelaxation::start_from_prices(ClpSimplex& clp) const {

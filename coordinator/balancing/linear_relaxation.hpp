@@ -33,8 +33,9 @@ class LinearRelaxation {
     Eigen::VectorXd x;         ///< in the program's variables
   };
 
-  /// Solves what there is: the first time from nothing, then from the last optimum by the dual method. More tangents
-  /// leave its prices as they are, and prices tell of each new piece whether it is full or empty.
+  /// Solves what there is by the dual method: the first time from a basis that needs no prices, then from the last
+  /// optimum. More tangents leave its prices as they are, and prices tell of each new piece whether it is full or
+  /// empty.
   Outcome solve();
 
   /// Makes the tangents of each curve denser around the slope that the prices of the last optimum ask of it, and adds
@@ -59,6 +60,8 @@ class LinearRelaxation {
   LinearProgram linear_program();
   void add_columns(LinearProgram& lp);
   double write(LinearProgram& lp, int variable, double coefficient) const;
+  void start_without_prices(ClpSimplex& clp) const;
+  bool holds_back(ClpSimplex& clp, int row) const;
   void start_from_prices(ClpSimplex& clp) const;
   void keep_prices(const ClpSimplex& clp);
   Eigen::VectorXd point(const ClpSimplex& clp) const;

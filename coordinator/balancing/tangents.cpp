@@ -8,7 +8,7 @@
 namespace evbal {
 
 Tangents::Tangents(ConvexFunctionPtr function, double lower) : function_(std::move(function)), lower_(lower) {
-  constexpr int first_tangents = 13;
+  constexpr int first_tangents = 18;  // to a thousand vehicles, where what is left of a slope outweighs no km
   double offset = 0.0;
   for (int i = 0; i < first_tangents; ++i) {
     add(lower + offset);
