@@ -79,10 +79,11 @@ const std::vector<Room>& rooms() {
        {"common", "agents/region", "coordinator/forecast", "coordinator/ambiguity", "coordinator/balancing",
         "coordinator/planning", "tools/samples"}},
       {"tools/bench", {"common", "coordinator/ambiguity", "coordinator/balancing", "tools/samples", "tools/verify"}},
-      {"experiments",
+      {"experiments/commands",
        {"common", "agents/protocol", "agents/city", "agents/region", "coordinator/planning", "faults/schedule",
         "experiments/scenario", "experiments/conductor", "experiments/progress", "experiments/metrics",
-        "experiments/record", "experiments/sweep", "tools/ingest", "tools/fit", "tools/report", "tools/verify"}},
+        "experiments/record", "experiments/sweep", "tools/report"}},
+      {"experiments", {"common", "agents/region", "experiments/commands", "tools/ingest", "tools/fit", "tools/verify"}},
   };
   return table;
 }

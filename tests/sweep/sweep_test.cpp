@@ -181,11 +181,13 @@ TEST_F(SweepOfToy, RefusesWhatIsWrong) {
 /// The shipped tunings and sweeps, each sweep with the first candidates of its tuning.
 TEST(ShippedSweeps, CanBeRead) {
   const Folder folder;
+  int sweeps = 0;
   for (const auto& entry :
-       std::filesystem::directory_iterator(std::filesystem::path(EVBAL_SOURCE_DIR) / "experiments/sweeps")) {
-    if (entry.path().stem().string().ends_with("-tuning")) {
+       std::filesystem::directory_iterator(std::filesystem::path(EVBAL_SOURCE_DIR) / "experiments")) {
+    if (entry.path().extension() != ".yaml" || entry.path().stem().string().ends_with("-tuning")) {
       continue;
     }
+    ++sweeps;
     SweepReading reading{.quick = true};
     if (const auto file = tuning_of(entry.path()); !file.empty()) {
       const Tuning tuning = read_tuning(file, true);
@@ -195,6 +197,7 @@ TEST(ShippedSweeps, CanBeRead) {
     EXPECT_NO_THROW(scenario_of(sweep.days.front())) << entry.path();
     EXPECT_NO_THROW(scenario_of(sweep.days.back())) << entry.path();
   }
+  EXPECT_GT(sweeps, 0);
 }
 
 }  // namespace

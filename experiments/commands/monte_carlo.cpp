@@ -1,14 +1,14 @@
-#include "experiments/monte_carlo.hpp"
+#include "experiments/commands/monte_carlo.hpp"
 
 #include "common/error.hpp"
+#include "experiments/commands/play_days.hpp"
+#include "experiments/commands/table.hpp"
+#include "experiments/commands/twins.hpp"
 #include "experiments/metrics/distribution.hpp"
-#include "experiments/play_days.hpp"
 #include "experiments/record/paired_run.hpp"
 #include "experiments/record/summary.hpp"
 #include "experiments/record/text.hpp"
 #include "experiments/sweep/sweep_file.hpp"
-#include "experiments/table.hpp"
-#include "experiments/twins.hpp"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,11 +1,11 @@
-#include "experiments/play_sweep.hpp"
+#include "experiments/commands/play_sweep.hpp"
 
 #include "common/error.hpp"
 #include "common/interrupt.hpp"
-#include "experiments/play_days.hpp"
+#include "experiments/commands/play_days.hpp"
+#include "experiments/commands/record_day.hpp"
+#include "experiments/commands/slurm.hpp"
 #include "experiments/record/summary.hpp"
-#include "experiments/record_day.hpp"
-#include "experiments/slurm.hpp"
 #include "experiments/sweep/sweep_file.hpp"
 #include "experiments/sweep/workers.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "experiments/play_sweep.hpp"
+#include "experiments/commands/play_sweep.hpp"
 
 #include <filesystem>
 

@@ -1,4 +1,4 @@
-#include "experiments/tune_command.hpp"
+#include "experiments/commands/tune_command.hpp"
 
 #include "common/interrupt.hpp"
 #include "experiments/record/text.hpp"

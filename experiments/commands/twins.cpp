@@ -1,4 +1,4 @@
-#include "experiments/twins.hpp"
+#include "experiments/commands/twins.hpp"
 
 #include "common/error.hpp"
 #include "experiments/record/paired_run.hpp"

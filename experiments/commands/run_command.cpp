@@ -1,15 +1,15 @@
-#include "experiments/run_command.hpp"
+#include "experiments/commands/run_command.hpp"
 
 #include "common/error.hpp"
 #include "common/interrupt.hpp"
-#include "experiments/monte_carlo.hpp"
-#include "experiments/out_folder.hpp"
+#include "experiments/commands/monte_carlo.hpp"
+#include "experiments/commands/out_folder.hpp"
+#include "experiments/commands/report_command.hpp"
+#include "experiments/commands/table.hpp"
+#include "experiments/commands/twins.hpp"
 #include "experiments/record/paired_run.hpp"
 #include "experiments/record/recorded_run.hpp"
 #include "experiments/record/text.hpp"
-#include "experiments/report_command.hpp"
-#include "experiments/table.hpp"
-#include "experiments/twins.hpp"
 
 #include <CLI/CLI.hpp>
 

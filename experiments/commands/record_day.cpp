@@ -1,4 +1,4 @@
-#include "experiments/record_day.hpp"
+#include "experiments/commands/record_day.hpp"
 
 #include "agents/region/draws.hpp"
 #include "common/error.hpp"

@@ -1,4 +1,4 @@
-#include "experiments/play_days.hpp"
+#include "experiments/commands/play_days.hpp"
 
 #include "experiments/progress/live_view.hpp"
 #include "experiments/sweep/sweep_file.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "experiments/play_days.hpp"
+#include "experiments/commands/play_days.hpp"
 
 #include <cstddef>
 #include <filesystem>

@@ -1,8 +1,8 @@
-#include "experiments/doctor_command.hpp"
+#include "experiments/commands/doctor_command.hpp"
 
 #include "common/error.hpp"
 #include "common/installation.hpp"
-#include "experiments/leftovers.hpp"
+#include "experiments/commands/leftovers.hpp"
 
 #include <CLI/CLI.hpp>
 #include <arpa/inet.h>

@@ -1,8 +1,8 @@
-#include "experiments/report_command.hpp"
+#include "experiments/commands/report_command.hpp"
 
 #include "common/error.hpp"
+#include "experiments/commands/report_content.hpp"
 #include "experiments/record/text.hpp"
-#include "experiments/report_content.hpp"
 
 #include <CLI/CLI.hpp>
 

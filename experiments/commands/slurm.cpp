@@ -1,11 +1,11 @@
-#include "experiments/slurm.hpp"
+#include "experiments/commands/slurm.hpp"
 
 #include "common/error.hpp"
 #include "common/installation.hpp"
 #include "common/interrupt.hpp"
 #include "common/text_of_file.hpp"
+#include "experiments/commands/record_day.hpp"
 #include "experiments/record/text.hpp"
-#include "experiments/record_day.hpp"
 #include "experiments/sweep/sweep_file.hpp"
 
 #include <CLI/CLI.hpp>

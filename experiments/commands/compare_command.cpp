@@ -1,8 +1,8 @@
-#include "experiments/compare_command.hpp"
+#include "experiments/commands/compare_command.hpp"
 
+#include "experiments/commands/table.hpp"
 #include "experiments/sweep/comparison.hpp"
 #include "experiments/sweep/sweep_file.hpp"
-#include "experiments/table.hpp"
 
 #include <CLI/CLI.hpp>
 

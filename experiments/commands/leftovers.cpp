@@ -1,6 +1,6 @@
-#include "experiments/leftovers.hpp"
+#include "experiments/commands/leftovers.hpp"
 
-#include "experiments/out_folder.hpp"
+#include "experiments/commands/out_folder.hpp"
 
 #include <unistd.h>
 

@@ -1,12 +1,12 @@
-#include "experiments/sweep_command.hpp"
+#include "experiments/commands/sweep_command.hpp"
 
 #include "common/interrupt.hpp"
 #include "common/text_of_file.hpp"
-#include "experiments/play_sweep.hpp"
+#include "experiments/commands/play_sweep.hpp"
+#include "experiments/commands/tune_command.hpp"
 #include "experiments/record/text.hpp"
 #include "experiments/sweep/sweep_file.hpp"
 #include "experiments/sweep/sweep_origin.hpp"
-#include "experiments/tune_command.hpp"
 
 #include <CLI/CLI.hpp>
 

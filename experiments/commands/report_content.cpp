@@ -1,4 +1,4 @@
-#include "experiments/report_content.hpp"
+#include "experiments/commands/report_content.hpp"
 
 #include "common/error.hpp"
 #include "common/text_of_file.hpp"

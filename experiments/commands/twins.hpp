@@ -1,6 +1,6 @@
 #pragma once
 
-#include "experiments/record_day.hpp"
+#include "experiments/commands/record_day.hpp"
 #include "experiments/sweep/workers.hpp"
 
 #include <filesystem>

@@ -1,11 +1,11 @@
-#include "experiments/replay_command.hpp"
+#include "experiments/commands/replay_command.hpp"
 
 #include "common/error.hpp"
 #include "common/interrupt.hpp"
 #include "common/text_of_file.hpp"
+#include "experiments/commands/record_day.hpp"
 #include "experiments/record/compare.hpp"
 #include "experiments/record/text.hpp"
-#include "experiments/record_day.hpp"
 
 #include <CLI/CLI.hpp>
 #include <unistd.h>

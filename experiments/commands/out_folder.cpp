@@ -1,4 +1,4 @@
-#include "experiments/out_folder.hpp"
+#include "experiments/commands/out_folder.hpp"
 
 #include "common/error.hpp"
 
