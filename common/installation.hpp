@@ -12,8 +12,8 @@ std::filesystem::path own_folder();
 /// that may be executed.
 std::filesystem::path find_program(const std::string& name);
 
-/// What is shipped with the programs, "cities", "faults", "scenarios" or "sweeps": the folder share/evbal/NAME that
-/// stands nearest above this program, in an installation as in a build tree; empty if there is none.
+/// What is shipped with the programs, "cities", "faults" or "scenarios": the folder share/evbal/NAME that stands
+/// nearest above this program, in an installation as in a build tree; empty if there is none.
 std::filesystem::path shipped_folder(const std::string& name);
 
 }  // namespace evbal
