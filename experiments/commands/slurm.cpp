@@ -30,6 +30,7 @@ using namespace std::chrono_literals;
 
 constexpr std::size_t longest_array = 1000;  // Slurm's MaxArraySize, unless a site sets another, is 1001
 constexpr auto between_looks = 500ms;
+constexpr int looks_at_cancelled = 600;  // well above the 90 s after which Slurm gives a task up
 
 /// For a shell.
 std::string quoted(const std::string& text) {
@@ -80,7 +81,6 @@ class JobArray {
                   std::to_string(names_.size()) + limit + " --chdir=" + quoted(folder.string()) + " " +
                   quoted(script.string()));
     id_ = id_.substr(0, id_.find_first_of(";\n"));  // a cluster's name may follow
-    write_file(folder / (id_ + ".job"), "");
   }
   ~JobArray() {
     if (!id_.empty()) {
@@ -101,13 +101,45 @@ class JobArray {
   std::string id_;  ///< empty once it has ended
 };
 
-/// The arrays of which tasks wait or run; nothing if Slurm does not say now.
-std::optional<std::set<std::string>> queued() {
+/// The arrays of which tasks wait, run or are being ended, with the folders they work in; nothing if Slurm does not say
+/// now.
+std::optional<std::map<std::string, fs::path>> queued() {
   try {
-    const auto ids = split(said_by("squeue --me --noheader --format=%F"), '\n');
-    return std::set<std::string>(ids.begin(), ids.end());
+    std::map<std::string, fs::path> result;
+    for (const auto& line : split(said_by("squeue --me --noheader --format='%F %Z'"), '\n')) {
+      const auto space = line.find(' ');
+      result[line.substr(0, space)] = line.substr(space + 1);
+    }
+    return result;
   } catch (const Error&) {
     return std::nullopt;
+  }
+}
+
+/// The arrays that work in `folder`, as far as Slurm says.
+std::set<std::string> working_in(const fs::path& folder) {
+  std::set<std::string> result;
+  for (const auto& [array, place] : queued().value_or(std::map<std::string, fs::path>{})) {
+    std::error_code no_such_place;
+    if (fs::equivalent(place, folder, no_such_place)) {
+      result.insert(array);
+    }
+  }
+  return result;
+}
+
+/// Throws Error{run_failed} if a task does not end.
+void cancel_all_in(const fs::path& folder) {
+  auto arrays = working_in(folder);
+  std::ranges::for_each(arrays, cancel);
+  for (int look = 0; look < looks_at_cancelled && !arrays.empty(); ++look) {
+    std::this_thread::sleep_for(between_looks);
+    check_interrupt();
+    arrays = working_in(folder);
+  }
+  if (!arrays.empty()) {
+    throw run_failed("job array " + *arrays.begin() +
+                     " was cancelled and goes on: ask again when `squeue --me` no longer lists it");
   }
 }
 
@@ -194,11 +226,7 @@ void merge_left(const fs::path& folder, const std::function<void(const fs::path&
   if (!fs::exists(folder)) {
     return;
   }
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() == ".job") {
-      cancel(entry.path().stem().string());
-    }
-  }
+  cancel_all_in(folder);
   for (const auto& entry : fs::directory_iterator(folder)) {
     if (entry.path().extension() == ".sqlite") {
       merge(entry.path());

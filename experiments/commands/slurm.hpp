@@ -29,8 +29,8 @@ struct SlurmTasks {
   std::function<void(const std::filesystem::path&)> merge;  ///< takes over a file of one result
 };
 
-/// Takes over what tasks have left in `folder` for an evbal that is no more, cancels those that go on, and removes the
-/// folder.
+/// For an evbal that is no more: cancels its tasks in `folder`, waits for their end, takes over what they have left and
+/// removes the folder. Throws Error{run_failed} if a task does not end.
 void merge_left(const std::filesystem::path& folder, const std::function<void(const std::filesystem::path&)>& merge);
 
 /// Submits the days as job arrays, a day a task, and takes their results over as they come. `done` hears of each that
