@@ -93,8 +93,7 @@ double negative_binomial_at_most(double count, double mean, double variance) {
   const double size = mean * mean / (v - mean);
   double weight = std::exp(size * std::log(mean / v));  // of none
   double sum = 0.0;
-  const int last = static_cast<int>(std::floor(count));
-  for (int k = 0; k <= last; ++k) {
+  for (int k = 0; k <= count; ++k) {
     sum += weight;
     weight *= next_ratio(k, mean, v);
   }
