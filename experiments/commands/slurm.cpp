@@ -101,41 +101,31 @@ class JobArray {
   std::string id_;  ///< empty once it has ended
 };
 
-/// The arrays of which tasks wait, run or are being ended, with the folders they work in; nothing if Slurm does not say
-/// now.
-std::optional<std::map<std::string, fs::path>> queued() {
+/// The arrays of which tasks in `folder` wait, run or are being ended; nothing if Slurm does not say now.
+std::optional<std::set<std::string>> working_in(const fs::path& folder) {
   try {
-    std::map<std::string, fs::path> result;
+    std::set<std::string> arrays;
     for (const auto& line : split(said_by("squeue --me --noheader --format='%F %Z'"), '\n')) {
       const auto space = line.find(' ');
-      result[line.substr(0, space)] = line.substr(space + 1);
+      std::error_code no_such_place;
+      if (fs::equivalent(line.substr(space + 1), folder, no_such_place)) {
+        arrays.insert(line.substr(0, space));
+      }
     }
-    return result;
+    return arrays;
   } catch (const Error&) {
     return std::nullopt;
   }
 }
 
-/// The arrays that work in `folder`, as far as Slurm says.
-std::set<std::string> working_in(const fs::path& folder) {
-  std::set<std::string> result;
-  for (const auto& [array, place] : queued().value_or(std::map<std::string, fs::path>{})) {
-    std::error_code no_such_place;
-    if (fs::equivalent(place, folder, no_such_place)) {
-      result.insert(array);
-    }
-  }
-  return result;
-}
-
-/// Throws Error{run_failed} if a task does not end.
+/// Throws Error{run_failed} if a task does not end. Where there is no Slurm, nothing is to be cancelled.
 void cancel_all_in(const fs::path& folder) {
-  auto arrays = working_in(folder);
+  auto arrays = working_in(folder).value_or(std::set<std::string>{});
   std::ranges::for_each(arrays, cancel);
   for (int look = 0; look < looks_at_cancelled && !arrays.empty(); ++look) {
     std::this_thread::sleep_for(between_looks);
     check_interrupt();
-    arrays = working_in(folder);
+    arrays = working_in(folder).value_or(arrays);
   }
   if (!arrays.empty()) {
     throw run_failed("job array " + *arrays.begin() +
@@ -170,7 +160,7 @@ class Submitted {
   bool any() const { return !left_.empty(); }
 
   void look(const SlurmTasks& tasks, const Done& done) {
-    const auto going_on = queued();
+    const auto going_on = working_in(folder_);
     for (auto& array : arrays_) {
       const bool over = going_on && !going_on->contains(array.id());
       for (std::size_t i = 0; i < array.names().size() && !array.id().empty(); ++i) {
