@@ -1,10 +1,10 @@
 // evbal-agent: hosts one or more regions of a run.
 
-#include "agents/bus/process.hpp"
-#include "agents/bus/roles.hpp"
+#include "agents/hosting/process.hpp"
+#include "agents/hosting/roles.hpp"
 #include "agents/protocol/message_check.hpp"
 #include "agents/region/region_plant.hpp"
-#include "agents/region/world.hpp"
+#include "agents/world/world.hpp"
 
 namespace {
 

@@ -2,12 +2,10 @@
 # faults, scenarios and sweeps, and what find_package(evbal) reads. The build tree has its share/evbal too, since
 # programs look for it above themselves.
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/share/evbal)
-foreach(shipped cities faults scenarios)
+foreach(shipped cities faults scenarios studies)
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/experiments/${shipped} ${PROJECT_BINARY_DIR}/share/evbal/${shipped} SYMBOLIC)
   install(DIRECTORY experiments/${shipped} DESTINATION share/evbal)
 endforeach()
-file(GLOB sweeps CONFIGURE_DEPENDS experiments/*.yaml)
-install(FILES ${sweeps} DESTINATION share/evbal)
 
 evbal_install(evbal_eigen evbal_mrpt_math evbal_ipopt evbal_clp evbal_nlopt)
 include(CMakePackageConfigHelpers)

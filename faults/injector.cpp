@@ -1,8 +1,8 @@
 // evbal-faults: says what goes wrong, tick by tick.
 
-#include "agents/bus/process.hpp"
-#include "agents/bus/roles.hpp"
-#include "agents/region/world.hpp"
+#include "agents/hosting/process.hpp"
+#include "agents/hosting/roles.hpp"
+#include "agents/world/world.hpp"
 #include "faults/schedule/schedule.hpp"
 
 namespace {

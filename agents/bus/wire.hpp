@@ -1,6 +1,6 @@
 #pragma once
 
-#include "agents/bus/messages.hpp"
+#include "agents/bus/hello.hpp"
 
 #include <evbal.h>
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "agents/protocol/messages.hpp"
-#include "agents/region/draws.hpp"
 #include "agents/region/sensors.hpp"
-#include "agents/region/world.hpp"
+#include "agents/world/draws.hpp"
+#include "agents/world/world.hpp"
 #include "common/random.hpp"
 
 #include <deque>

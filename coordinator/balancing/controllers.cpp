@@ -1,9 +1,9 @@
 #include "coordinator/balancing/controllers.hpp"
 
-#include "coordinator/balancing/certificate.hpp"
 #include "coordinator/balancing/formulation.hpp"
 #include "coordinator/balancing/heuristics.hpp"
-#include "coordinator/balancing/soundness.hpp"
+#include "coordinator/balancing/validate.hpp"
+#include "coordinator/convex/certificate.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -11,9 +11,9 @@
 
 namespace evbal {
 
-PlanFunction optimum(const Switches& switches) {
-  return [switches](const BalancingParameters& parameters, const PlanningData& data, const EngineSettings& engine) {
-    const Formulation formulation = formulate(parameters, data, switches);
+PlanFunction optimum(const FormulationOptions& options) {
+  return [options](const BalancingParameters& parameters, const PlanningData& data, const EngineSettings& engine) {
+    const Formulation formulation = formulate(parameters, data, options);
     const Solution solution = solve(formulation.program, engine);
     BalancingResult result{.dispatch = {}, .certificate = solution.certificate};
     if (result.certificate.optimal) {
@@ -39,14 +39,14 @@ const std::vector<Controller>& controllers() {
   static const std::vector<Controller> all = {
       {"none", none},
       {"greedy", greedy},
-      {"nominal", optimum({Shortage::band, Belief::mean, Belief::mean})},
-      {"demand-robust", optimum({Shortage::band, Belief::worst_case, Belief::mean})},
-      {"robust", optimum({Shortage::band, Belief::worst_case, Belief::worst_case})},
-      {"moment", optimum({Shortage::moments, Belief::worst_case, Belief::worst_case})},
-      {"scenario", optimum({Shortage::band, Belief::samples, Belief::mean}), true},
-      {"ratio", optimum({Shortage::ratio, Belief::mean, Belief::mean})},
-      {"turnover", optimum({Shortage::turnover, Belief::counts, Belief::mean})},
-      {"oracle", optimum({Shortage::turnover, Belief::counts, Belief::mean})},  // on true forecasts
+      {"nominal", optimum({Shortage::band, Uncertainty::mean, Uncertainty::mean})},
+      {"demand-robust", optimum({Shortage::band, Uncertainty::worst_case, Uncertainty::mean})},
+      {"robust", optimum({Shortage::band, Uncertainty::worst_case, Uncertainty::worst_case})},
+      {"moment", optimum({Shortage::moments, Uncertainty::worst_case, Uncertainty::worst_case})},
+      {"scenario", optimum({Shortage::band, Uncertainty::samples, Uncertainty::mean}), true},
+      {"ratio", optimum({Shortage::ratio, Uncertainty::mean, Uncertainty::mean})},
+      {"turnover", optimum({Shortage::turnover, Uncertainty::counts, Uncertainty::mean})},
+      {"oracle", optimum({Shortage::turnover, Uncertainty::counts, Uncertainty::mean})},  // on true forecasts
   };
   return all;
 }

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "coordinator/balancing/beliefs.hpp"
-#include "coordinator/balancing/engine.hpp"
 #include "coordinator/balancing/problem.hpp"
+#include "coordinator/balancing/uncertainty_model.hpp"
+#include "coordinator/convex/engine.hpp"
 
 #include <functional>
 #include <string>
@@ -21,8 +21,8 @@ struct Controller {
   bool draws_samples = false;  ///< plans for PlanningData::demand_samples
 };
 
-/// Solves the balancing problem with these switches.
-PlanFunction optimum(const Switches& switches);
+/// Solves the balancing problem with these options.
+PlanFunction optimum(const FormulationOptions& options);
 
 /// Makes a plan of these flows that nothing was solved for: objective, bound and gap are 0.
 BalancingResult by_rule(Dispatch dispatch);

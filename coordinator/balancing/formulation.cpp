@@ -32,11 +32,11 @@ struct Step {
 
 class Formulator {
  public:
-  Formulator(const BalancingParameters& parameters, const PlanningData& data, const Switches& switches)
+  Formulator(const BalancingParameters& parameters, const PlanningData& data, const FormulationOptions& options)
       : p_(parameters),
         data_(data),
-        beliefs_(beliefs(parameters, data, switches)),
-        shortage_(parameters, data, switches, beliefs_, program_),
+        model_(uncertainty_model(parameters, data, options)),
+        shortage_(parameters, data, options, model_, program_),
         size_(static_cast<int>(data.km.rows())),
         horizon_(static_cast<int>(data.points.cols())) {
     for (int i = 0; i < size_; ++i) {
@@ -109,7 +109,7 @@ class Formulator {
       const Expression e = step.e[at(i)];
       const Expression u = step.u[at(i)];
       const Expression Y = step.Y[at(i)];
-      const double c_low = beliefs_.c_low(i, k);
+      const double c_low = model_.c_low(i, k);
       program_.bound(step.e[at(i)], 0.0, is_zero(B) ? 0.0 : c_low);
       program_.at_most(e, B);
       if (station_[at(i)]) {
@@ -129,8 +129,8 @@ class Formulator {
     const double theta = p_.theta_0 / p_.a;
     const auto power = inverse_power(p_.eps, p_.a);
     for (int i = 0; i < size_; ++i) {
-      const double c_hat = beliefs_.c_hat(i, k);
-      if (theta == 0.0 || data_.points(i, k) <= 0.0 || (c_hat == 0.0 && beliefs_.supply_radius == 0.0)) {
+      const double c_hat = model_.c_hat(i, k);
+      if (theta == 0.0 || data_.points(i, k) <= 0.0 || (c_hat == 0.0 && model_.supply_radius == 0.0)) {
         continue;
       }
       utilised_.push_back({k * size_ + i, program_.minimise_curve(label("Z", k), theta * c_hat, step.Y[at(i)], power)});
@@ -139,7 +139,7 @@ class Formulator {
 
   // theta sqrt(g) || Sigma_c^(1/2) Z ||  over the whole horizon
   void worst_case_utilisation() {
-    const double weight = p_.theta_0 / p_.a * beliefs_.supply_radius;
+    const double weight = p_.theta_0 / p_.a * model_.supply_radius;
     if (weight == 0.0 || utilised_.empty()) {
       return;
     }
@@ -196,7 +196,7 @@ class Formulator {
   const PlanningData& data_;
   Formulation result_;
   ConvexProgram& program_ = result_.program;
-  Beliefs beliefs_;
+  UncertaintyModel model_;
   ShortageTerms shortage_;
   int size_;
   int horizon_;
@@ -222,8 +222,9 @@ std::vector<std::vector<Flow>> flows_at(const std::vector<std::vector<ArcFlow>>&
 
 }  // namespace
 
-Formulation formulate(const BalancingParameters& parameters, const PlanningData& data, const Switches& switches) {
-  return Formulator(parameters, data, switches).formulate();
+Formulation formulate(const BalancingParameters& parameters, const PlanningData& data,
+                      const FormulationOptions& options) {
+  return Formulator(parameters, data, options).formulate();
 }
 
 Dispatch dispatch_at(const Formulation& formulation, const Eigen::VectorXd& x) {

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "coordinator/balancing/arcs.hpp"
-#include "coordinator/balancing/beliefs.hpp"
 #include "coordinator/balancing/problem.hpp"
-#include "coordinator/balancing/program.hpp"
+#include "coordinator/balancing/uncertainty_model.hpp"
+#include "coordinator/convex/convex_program.hpp"
 
 #include <vector>
 
@@ -24,7 +24,8 @@ struct Formulation {
 
 /// Writes down model, section 2. The horizon is the number of columns of `data.points`; the data are complete and
 /// sound.
-Formulation formulate(const BalancingParameters& parameters, const PlanningData& data, const Switches& switches);
+Formulation formulate(const BalancingParameters& parameters, const PlanningData& data,
+                      const FormulationOptions& options);
 
 /// The decisions at a point of the program; flows below 1e-6 vehicles are left out.
 Dispatch dispatch_at(const Formulation& formulation, const Eigen::VectorXd& x);

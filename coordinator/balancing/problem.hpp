@@ -1,6 +1,7 @@
 #pragma once
 
 #include "coordinator/ambiguity/moment_set.hpp"
+#include "coordinator/convex/certificate.hpp"
 #include "coordinator/forecast/count_variance.hpp"
 
 #include <Eigen/Core>
@@ -91,17 +92,6 @@ struct Flow {
 struct Dispatch {
   std::vector<std::vector<Flow>> vacant;       ///< x, by (from, to)
   std::vector<std::vector<Flow>> low_battery;  ///< y, by (from, to)
-};
-
-/// How a solve ended and what it is worth. Only `optimal` may be used.
-struct Certificate {
-  bool optimal = false;
-  std::string why_not;  ///< the engine's reason, empty if optimal
-  double objective = 0.0;
-  double lower_bound = 0.0;  ///< -infinity where the engine gives none
-  double gap = 0.0;
-  double max_violation = 0.0;  ///< recomputed from the model, not the solver's word
-  int iterations = 0;
 };
 
 struct BalancingResult {

@@ -6,17 +6,17 @@
 
 namespace evbal {
 
-ShortageTerms::ShortageTerms(const BalancingParameters& parameters, const PlanningData& data, const Switches& switches,
-                             const Beliefs& beliefs, ConvexProgram& program)
+ShortageTerms::ShortageTerms(const BalancingParameters& parameters, const PlanningData& data,
+                             const FormulationOptions& options, const UncertaintyModel& model, ConvexProgram& program)
     : p_(parameters),
       data_(data),
-      switches_(switches),
-      beliefs_(beliefs),
+      options_(options),
+      model_(model),
       program_(program),
-      rho_(demand_per_vehicle(data, beliefs)) {}
+      rho_(demand_per_vehicle(data, model)) {}
 
 void ShortageTerms::add(int k, const Variables& S) {
-  switch (switches_.shortage) {
+  switch (options_.shortage) {
     case Shortage::band:
       return band(k, S);
     case Shortage::moments:
@@ -26,7 +26,7 @@ void ShortageTerms::add(int k, const Variables& S) {
     case Shortage::turnover:
       return turnover(k, S);
     case Shortage::own:
-      return switches_.own(k, S, beliefs_, program_);
+      return options_.own(k, S, model_, program_);
   }
 }
 
@@ -42,8 +42,8 @@ double ShortageTerms::l(int k) const {
 void ShortageTerms::band(int k, const Variables& S) {
   for (std::size_t i = 0; i < S.size(); ++i) {
     const auto entry = static_cast<std::size_t>(k) * S.size() + i;
-    expected_shortage("shortage", k, p_.p_shortage, beliefs_.shortage[entry], h(k) * Expression(S[i]));
-    expected_shortage("surplus", k, p_.p_surplus, mirrored(beliefs_.surplus[entry]), -l(k) * Expression(S[i]));
+    expected_shortage("shortage", k, p_.p_shortage, model_.shortage[entry], h(k) * Expression(S[i]));
+    expected_shortage("surplus", k, p_.p_surplus, mirrored(model_.surplus[entry]), -l(k) * Expression(S[i]));
   }
 }
 
@@ -52,10 +52,10 @@ void ShortageTerms::moments(int k, const Variables& S) {
   const auto& set = data_.demand;
   constexpr double least = 0.1;  // vehicles, so that psi bends no more sharply than an engine can follow
   const Eigen::VectorXd deviation = set.standard_deviation().cwiseMax(least);
-  const Eigen::MatrixXd sigma = deviation.reshaped(beliefs_.r_hat.rows(), beliefs_.r_hat.cols());
+  const Eigen::MatrixXd sigma = deviation.reshaped(model_.r_hat.rows(), model_.r_hat.cols());
   for (std::size_t at = 0; at < S.size(); ++at) {
     const auto i = static_cast<Eigen::Index>(at);
-    const double r_hat = beliefs_.r_hat(i, k);
+    const double r_hat = model_.r_hat(i, k);
     const auto psi = worst_case_shortage(sigma(i, k), set.g1, set.g2);
     curve("shortage", k, p_.p_shortage, S[at], of_line(psi, h(k), -r_hat));
     curve("surplus", k, p_.p_surplus, S[at], of_line(psi, -l(k), r_hat));
@@ -66,7 +66,7 @@ void ShortageTerms::moments(int k, const Variables& S) {
 void ShortageTerms::ratio(int k, const Variables& S) {
   const auto reciprocal = inverse_power(0.5, 1.0);
   for (std::size_t i = 0; i < S.size(); ++i) {
-    const double r_hat = beliefs_.r_hat(static_cast<Eigen::Index>(i), k);
+    const double r_hat = model_.r_hat(static_cast<Eigen::Index>(i), k);
     curve("ratio", k, p_.p_ratio * r_hat, S[i], reciprocal);
   }
 }
@@ -75,8 +75,8 @@ void ShortageTerms::ratio(int k, const Variables& S) {
 void ShortageTerms::turnover(int k, const Variables& S) {
   for (std::size_t i = 0; i < S.size(); ++i) {
     const auto entry = static_cast<std::size_t>(k) * S.size() + i;
-    const double again = beliefs_.serving_again(static_cast<Eigen::Index>(i), k);
-    expected_shortage("shortage", k, p_.p_shortage, beliefs_.shortage[entry], Expression(S[i]) + again);
+    const double again = model_.serving_again(static_cast<Eigen::Index>(i), k);
+    expected_shortage("shortage", k, p_.p_shortage, model_.shortage[entry], Expression(S[i]) + again);
   }
 }
 
@@ -88,7 +88,7 @@ void ShortageTerms::curve(const char* name, int k, double price, Variable of, co
 
 // price E[max(0, r - s)]  =  price min sum_m P(r >= v_m) part_m    over    sum_m part_m >= v_M - s,
 // part_m <= v_m - v_(m-1):  what is missing, from the part that is least likely to be missed.
-void ShortageTerms::expected_shortage(const char* name, int k, double price, const DiscreteLaw& law,
+void ShortageTerms::expected_shortage(const char* name, int k, double price, const DiscreteDistribution& law,
                                       const Expression& s) {
   if (price == 0.0) {
     return;

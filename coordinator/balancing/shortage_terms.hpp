@@ -1,8 +1,8 @@
 #pragma once
 
-#include "coordinator/balancing/beliefs.hpp"
 #include "coordinator/balancing/problem.hpp"
-#include "coordinator/balancing/program.hpp"
+#include "coordinator/balancing/uncertainty_model.hpp"
+#include "coordinator/convex/convex_program.hpp"
 
 namespace evbal {
 
@@ -10,8 +10,8 @@ namespace evbal {
 class ShortageTerms {
  public:
   /// Everything given must outlive this.
-  ShortageTerms(const BalancingParameters& parameters, const PlanningData& data, const Switches& switches,
-                const Beliefs& beliefs, ConvexProgram& program);
+  ShortageTerms(const BalancingParameters& parameters, const PlanningData& data, const FormulationOptions& options,
+                const UncertaintyModel& model, ConvexProgram& program);
 
   /// Adds the terms of step k; `S` holds the vehicles of every region.
   void add(int k, const Variables& S);
@@ -24,12 +24,12 @@ class ShortageTerms {
   void ratio(int k, const Variables& S);
   void turnover(int k, const Variables& S);
   void curve(const char* name, int k, double price, Variable of, const ConvexFunctionPtr& function);
-  void expected_shortage(const char* name, int k, double price, const DiscreteLaw& law, const Expression& s);
+  void expected_shortage(const char* name, int k, double price, const DiscreteDistribution& law, const Expression& s);
 
   const BalancingParameters& p_;
   const PlanningData& data_;
-  const Switches& switches_;
-  const Beliefs& beliefs_;
+  const FormulationOptions& options_;
+  const UncertaintyModel& model_;
   ConvexProgram& program_;
   Eigen::VectorXd rho_;
 };

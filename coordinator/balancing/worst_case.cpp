@@ -11,7 +11,7 @@ class WorstCaseShortage final : public ConvexFunction {
  public:
   WorstCaseShortage(double sigma, double g1, double g2) : sigma_(sigma), g1_(g1), g2_(g2) {}
 
-  Jet around(double at) const override { return worst_case_shortage(at, sigma_, g1_, g2_); }
+  Expansion around(double at) const override { return worst_case_shortage(at, sigma_, g1_, g2_); }
 
  private:
   double sigma_;
@@ -23,7 +23,7 @@ class WorstCaseShortage final : public ConvexFunction {
 
 // psi(d) = (sqrt(v - 2 d m + d^2) - d + m) / 2,   v = g2 sigma^2,   m = sqrt(min(g1, g2)) sigma,
 // and where d > 0:  m = min(m, v / (2 d)), which leaves  psi(d) = v / (4 d).
-ConvexFunction::Jet worst_case_shortage(double d, double sigma, double g1, double g2) {
+ConvexFunction::Expansion worst_case_shortage(double d, double sigma, double g1, double g2) {
   assert(sigma > 0.0 && g1 >= 0.0 && g2 >= 0.0);
   const double v = g2 * sigma * sigma;
   const double m = std::sqrt(std::min(g1, g2)) * sigma;

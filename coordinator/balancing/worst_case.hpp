@@ -1,6 +1,6 @@
 #pragma once
 
-#include "coordinator/balancing/convex_function.hpp"
+#include "coordinator/convex/convex_function.hpp"
 
 namespace evbal {
 
@@ -10,7 +10,7 @@ namespace evbal {
 ///
 /// sigma > 0 is the standard deviation of the demand; g1, g2 >= 0. Convex and decreasing in d, at least the plain
 /// shortage max(0, -d), and equal to it where g2 = 0. A surplus is the shortage of the margin  r_hat - supply.
-ConvexFunction::Jet worst_case_shortage(double d, double sigma, double g1, double g2);
+ConvexFunction::Expansion worst_case_shortage(double d, double sigma, double g1, double g2);
 
 /// The same as a function of d.
 ConvexFunctionPtr worst_case_shortage(double sigma, double g1, double g2);

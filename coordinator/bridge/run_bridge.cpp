@@ -1,13 +1,13 @@
 #include "coordinator/bridge/run_bridge.hpp"
 
-#include "agents/bus/process.hpp"
-#include "agents/bus/roles.hpp"
-#include "agents/region/world.hpp"
+#include "agents/hosting/child_process.hpp"
+#include "agents/hosting/process.hpp"
+#include "agents/hosting/roles.hpp"
+#include "agents/world/world.hpp"
 #include "common/error.hpp"
 #include "common/pin.hpp"
 #include "coordinator/balancing/controllers.hpp"
-#include "coordinator/bridge/child.hpp"
-#include "coordinator/bridge/lines.hpp"
+#include "coordinator/bridge/json_lines.hpp"
 #include "coordinator/planning/settings.hpp"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ void bridge(const Command& command, const ProcessOptions& options, Participant& 
   const World world = read_world(scenario);
   const std::string controller = read_planning(scenario).controller;
   check_name(controller);
-  Child child(command);
+  ChildProcess child(command);
   child.write(opening_line(world, controller));
   const auto plan = [&](const Tick& tick, const std::vector<Report>& reports) {
     child.write(question_line(tick.tick, reports));

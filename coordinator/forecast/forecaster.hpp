@@ -6,7 +6,7 @@ namespace evbal {
 
 /// How far what came lately lay off what was expected of it: mean squares over the last steps, in units of their
 /// variance; about 1 while errors are as they were in training, 0 where nothing is known.
-struct Surprise {
+struct NormalisedInnovation {
   double city = 0.0;
   Eigen::VectorXd region;  ///< N
 };
@@ -30,7 +30,7 @@ class Forecaster {
   virtual Eigen::MatrixXd scale(int minute, int tau) const = 0;
 
   /// Of the last three steps up to `minute`, the last observation's.
-  virtual Surprise surprise(int minute) const = 0;
+  virtual NormalisedInnovation normalised_innovation(int minute) const = 0;
 };
 
 }  // namespace evbal

@@ -28,7 +28,7 @@ Eigen::MatrixXd Foreknowledge::scale(int /*minute*/, int tau) const {
   return Eigen::MatrixXd::Zero(counts_.rows(), tau);
 }
 
-Surprise Foreknowledge::surprise(int /*minute*/) const {
+NormalisedInnovation Foreknowledge::normalised_innovation(int /*minute*/) const {
   return {0.0, Eigen::VectorXd::Zero(counts_.rows())};
 }
 

@@ -17,7 +17,7 @@ class Foreknowledge : public Forecaster {
   Eigen::MatrixXd scale(int minute, int tau) const override;
 
   /// None.
-  Surprise surprise(int minute) const override;
+  NormalisedInnovation normalised_innovation(int minute) const override;
 
  private:
   Eigen::MatrixXd counts_;

@@ -181,7 +181,7 @@ SeasonalForecaster::Prediction SeasonalForecaster::predict(int minute, int tau) 
     const Outlook ahead = regions[static_cast<std::size_t>(i)].outlook(tau);
     out.mean.row(i) = ahead.mean;
     out.variance.row(i) = ahead.variance;
-    out.surprise.region(i) = off[static_cast<std::size_t>(i)].value();
+    out.normalised_innovation.region(i) = off[static_cast<std::size_t>(i)].value();
   }
   for (int lead = 0; lead < tau; ++lead) {
     const int from = minute + lead * step_minutes_;
@@ -197,8 +197,8 @@ SeasonalForecaster::Prediction SeasonalForecaster::predict(int minute, int tau) 
   return out;
 }
 
-Surprise SeasonalForecaster::surprise(int minute) const {
-  return predict(minute, 1).surprise;
+NormalisedInnovation SeasonalForecaster::normalised_innovation(int minute) const {
+  return predict(minute, 1).normalised_innovation;
 }
 
 Eigen::MatrixXd SeasonalForecaster::forecast(int minute, int tau) const {

@@ -60,14 +60,14 @@ class SeasonalForecaster : public Forecaster {
   void observe(int minute, const Eigen::VectorXd& counts) override;
   Eigen::MatrixXd forecast(int minute, int tau) const override;
   Eigen::MatrixXd scale(int minute, int tau) const override;
-  Surprise surprise(int minute) const override;
+  NormalisedInnovation normalised_innovation(int minute) const override;
 
   /// The forecast, and what variance the model gives its errors.
   struct Prediction {
-    Eigen::MatrixXd mean;           ///< N x tau
-    Eigen::MatrixXd variance;       ///< N x tau
-    Eigen::VectorXd city_variance;  ///< of the sum over all regions, tau
-    Surprise surprise;              ///< of the last steps
+    Eigen::MatrixXd mean;                        ///< N x tau
+    Eigen::MatrixXd variance;                    ///< N x tau
+    Eigen::VectorXd city_variance;               ///< of the sum over all regions, tau
+    NormalisedInnovation normalised_innovation;  ///< of the last steps
   };
   Prediction predict(int minute, int tau) const;
 

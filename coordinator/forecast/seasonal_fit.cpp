@@ -149,8 +149,8 @@ HeldOutDay hold_out(const SeasonalModel& model, const SeasonalMeans& rival, cons
     const Eigen::MatrixXd truth = day.counts.middleCols(step, leads);
     const SeasonalForecaster::Prediction ahead = forecaster.predict(minute, leads);
     const Eigen::MatrixXd& forecast = ahead.mean;
-    out.surprise.head(n) = out.surprise.head(n).cwiseMax(ahead.surprise.region);
-    out.surprise(n) = std::max(out.surprise(n), ahead.surprise.city);
+    out.normalised_innovation.head(n) = out.normalised_innovation.head(n).cwiseMax(ahead.normalised_innovation.region);
+    out.normalised_innovation(n) = std::max(out.normalised_innovation(n), ahead.normalised_innovation.city);
     const Eigen::MatrixXd error = truth - forecast;
     out.forecasts.col(step) = forecast.reshaped();
     out.counts.col(step) = truth.reshaped();
@@ -167,7 +167,7 @@ HeldOutDay hold_out(const SeasonalModel& model, const SeasonalMeans& rival, cons
 double daily_surprise(const std::vector<HeldOutDay>& days) {
   std::vector<double> largest;
   for (const HeldOutDay& day : days) {
-    largest.insert(largest.end(), day.surprise.begin(), day.surprise.end());
+    largest.insert(largest.end(), day.normalised_innovation.begin(), day.normalised_innovation.end());
   }
   const auto rank = largest.begin() + static_cast<std::ptrdiff_t>(std::min(days.size(), largest.size() - 1));
   std::nth_element(largest.begin(), rank, largest.end(), std::greater<>());

@@ -40,9 +40,9 @@ struct Skill {
 struct HeldOutDay {
   /// One column an origin, stacked step-major (entry (lead, region) at lead * N + region).
   Eigen::MatrixXd forecasts;
-  Eigen::MatrixXd counts;     ///< that came
-  Eigen::MatrixXd residuals;  ///< errors divided by Forecaster::scale
-  Eigen::VectorXd surprise;   ///< the day's largest, of each region, the city's last
+  Eigen::MatrixXd counts;                 ///< that came
+  Eigen::MatrixXd residuals;              ///< errors divided by Forecaster::scale
+  Eigen::VectorXd normalised_innovation;  ///< the day's largest, of each region, the city's last
   Skill skill;
 };
 
@@ -54,7 +54,7 @@ SeasonalMeans seasonal_means(const std::vector<CountDay>& days);
 
 HeldOutDay hold_out(const SeasonalModel& model, const SeasonalMeans& rival, const CountDay& day, int leads);
 
-/// The surprise that the city and its regions exceed together on one day in a day, on average over `days`.
+/// The normalised_innovation that the city and its regions exceed together on one day in a day, on average over `days`.
 double daily_surprise(const std::vector<HeldOutDay>& days);
 
 /// hold_out of each day with the model fitted to all others; needs at least three days.

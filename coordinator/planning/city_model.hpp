@@ -1,6 +1,6 @@
 #pragma once
 
-#include "coordinator/ambiguity/residual_law.hpp"
+#include "coordinator/ambiguity/residual_distribution.hpp"
 #include "coordinator/balancing/problem.hpp"
 #include "coordinator/forecast/seasonal.hpp"
 
@@ -13,7 +13,7 @@ namespace evbal {
 /// What is known of a series of counts per region: how to forecast it, and how wrong that is.
 struct SeriesModel {
   SeasonalModel seasonal;
-  ResidualLaw errors;
+  ResidualDistribution errors;
 };
 
 /// Transitions from `start` (minute after midnight) until the next period.

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "agents/protocol/messages.hpp"
-#include "coordinator/balancing/engine.hpp"
 #include "coordinator/balancing/problem.hpp"
+#include "coordinator/convex/engine.hpp"
 #include "coordinator/planning/ladder_memory.hpp"
 
 #include <functional>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "agents/city/city.hpp"
 #include "agents/protocol/messages.hpp"
+#include "agents/world/city.hpp"
 #include "common/clock.hpp"
 #include "coordinator/balancing/problem.hpp"
 #include "coordinator/planning/city_model.hpp"

@@ -99,24 +99,6 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
-Command command_from(const std::filesystem::path& base, Command words) {
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    const auto path = base / words[i];
-    if (i == 0 ? words[i].find('/') != std::string::npos : std::filesystem::is_regular_file(path)) {
-      words[i] = std::filesystem::absolute(path).lexically_normal().string();
-    }
-  }
-  return words;
-}
-
-std::string shown(const Command& command) {
-  std::string text;
-  for (const auto& word : command) {
-    text += (text.empty() ? "" : " ") + word;
-  }
-  return text;
-}
-
 std::string name_complaint(const std::string& name) {
   const auto fits = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_'; };
   return !name.empty() && std::ranges::all_of(name, fits)

@@ -1,9 +1,10 @@
 #pragma once
 
-#include "agents/city/city.hpp"
+#include "agents/world/city.hpp"
+#include "common/command.hpp"
 #include "common/yaml.hpp"
-#include "coordinator/balancing/engine.hpp"
 #include "coordinator/balancing/problem.hpp"
+#include "coordinator/convex/engine.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -12,26 +13,16 @@
 
 namespace evbal {
 
-/// The program that plans in place of evbal-coordinator, and its first words; empty if none does.
-using Command = std::vector<std::string>;
-
-/// `words` with a program that has a slash, and every further word that names a file, as absolute paths; relative ones
-/// start at `base`. A program without a slash is left to be found when it is started.
-Command command_from(const std::filesystem::path& base, Command words);
-
-/// The words in one line, for messages.
-std::string shown(const Command& command);
-
 /// Who plans, with what, and how much work a plan may cost.
 struct PlanningSettings {
   std::string controller = "robust";
-  Command coordinator;
+  Command coordinator;  ///< program that plans in place of evbal-coordinator; empty: none
   EngineSettings engine;
   std::filesystem::path model;   ///< file that `evbal fit` wrote; empty: the one beside the city's pack
   bool innovation_test = false;  ///< whether sets are widened where recent forecast errors leave them
   BalancingParameters balancing;
 
-  /// Whether the Coordinator is to be told the future.
+  /// Whether the coordinator is to be told the future.
   bool foresees() const { return controller == "oracle"; }
 };
 

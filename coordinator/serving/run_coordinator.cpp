@@ -1,12 +1,12 @@
 #include "coordinator/serving/run_coordinator.hpp"
 
-#include "agents/bus/process.hpp"
-#include "agents/bus/roles.hpp"
+#include "agents/hosting/process.hpp"
+#include "agents/hosting/roles.hpp"
 #include "agents/protocol/message_check.hpp"
-#include "agents/region/draws.hpp"
-#include "agents/region/world.hpp"
+#include "agents/world/draws.hpp"
+#include "agents/world/world.hpp"
 #include "common/error.hpp"
-#include "coordinator/planning/coordinator.hpp"
+#include "coordinator/planning/receding_horizon_planner.hpp"
 #include "faults/schedule/schedule.hpp"
 
 #include <algorithm>
@@ -32,8 +32,8 @@ void plan(const std::vector<Controller>& own, const ProcessOptions& options, Par
   const World world = read_world(scenario);
   const PlanningSettings settings = read_planning(scenario);
   check_names(own, settings.controller);
-  Coordinator coordinator(world.city, world.clock, world.day.date, settings,
-                          read_model(model_file(settings, world.city)), balancer_of(settings, own));
+  RecedingHorizonPlanner coordinator(world.city, world.clock, world.day.date, settings,
+                                     read_model(model_file(settings, world.city)), balancer_of(settings, own));
   if (settings.foresees()) {
     const Eigen::VectorXi points = world.city.points();
     const Schedule schedule = read_resolved(scenario, {world.clock, {points.begin(), points.end()}});

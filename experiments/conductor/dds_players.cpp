@@ -1,6 +1,6 @@
 #include "experiments/conductor/dds_players.hpp"
 
-#include "agents/bus/process.hpp"
+#include "agents/hosting/process.hpp"
 #include "common/error.hpp"
 #include "common/interrupt.hpp"
 

@@ -1,6 +1,6 @@
 #include "experiments/conductor/run_day.hpp"
 
-#include "agents/region/draws.hpp"
+#include "agents/world/draws.hpp"
 #include "common/error.hpp"
 #include "common/interrupt.hpp"
 #include "experiments/conductor/attendance.hpp"

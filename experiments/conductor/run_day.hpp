@@ -1,6 +1,6 @@
 #pragma once
 
-#include "agents/region/world.hpp"
+#include "agents/world/world.hpp"
 #include "experiments/conductor/players.hpp"
 
 #include <functional>

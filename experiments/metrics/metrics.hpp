@@ -1,7 +1,7 @@
 #pragma once
 
+#include "agents/protocol/tick_record.hpp"
 #include "common/clock.hpp"
-#include "experiments/conductor/players.hpp"
 #include "experiments/metrics/fairness.hpp"
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "experiments/record/day_file.hpp"
 
-#include "experiments/record/table.hpp"
+#include "experiments/record/database_table.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "experiments/conductor/players.hpp"
+#include "agents/protocol/tick_record.hpp"
 
 #include <filesystem>
 #include <memory>

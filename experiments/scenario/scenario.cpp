@@ -2,7 +2,7 @@
 
 #include "common/installation.hpp"
 #include "coordinator/balancing/controllers.hpp"
-#include "coordinator/balancing/engine.hpp"
+#include "coordinator/convex/engine.hpp"
 
 #include <algorithm>
 #include <sstream>
@@ -40,9 +40,9 @@ std::filesystem::path find_shipped(const std::string& folder, const std::filesys
 }
 
 /// The schedule of an own file in place of the scenario's.
-void read_fault_file(const std::filesystem::path& file, const Place& place, Scenario& scenario) {
+void read_fault_file(const std::filesystem::path& file, const FaultContext& context, Scenario& scenario) {
   YamlMap map(YamlValue::load(find_shipped("faults", file)));
-  scenario.draws = read_schedules(map, place);
+  scenario.draws = read_schedules(map, context);
   if (const auto expect = map.find("expect")) {
     const auto more = read_expect(*expect);
     scenario.expect.insert(scenario.expect.end(), more.begin(), more.end());
@@ -52,13 +52,13 @@ void read_fault_file(const std::filesystem::path& file, const Place& place, Scen
 
 void read_faults(YamlMap& scenario_map, const std::optional<std::filesystem::path>& file, Scenario& scenario) {
   const Eigen::VectorXi points = scenario.world.city.points();
-  const Place place{scenario.world.clock, {points.begin(), points.end()}};
+  const FaultContext context{scenario.world.clock, {points.begin(), points.end()}};
   const auto own = scenario_map.find("faults");
   if (file) {
-    read_fault_file(*file, place, scenario);
+    read_fault_file(*file, context, scenario);
   } else if (own) {
     YamlMap map(*own);
-    scenario.draws = read_schedules(map, place);
+    scenario.draws = read_schedules(map, context);
     map.finish();
   }
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "agents/region/world.hpp"
+#include "agents/world/world.hpp"
 #include "coordinator/planning/settings.hpp"
 #include "experiments/scenario/expect.hpp"
 #include "experiments/scenario/network_conditions.hpp"

@@ -66,15 +66,15 @@ std::vector<int> draw_regions(const Target& target, const Draws& draws) {
   return regions;
 }
 
-std::vector<double> draw_magnitudes(const Request& request, const std::vector<int>& regions, const Place& place,
-                                    const Draws& draws) {
+std::vector<double> draw_magnitudes(const Request& request, const std::vector<int>& regions,
+                                    const FaultContext& context, const Draws& draws) {
   const FaultType& type = *request.type;
   const double drawn = draws(request.magnitude.quantity, Field::magnitude);
   const bool whole = !type.counts_points() && type.unit != MagnitudeUnit::number;
   std::vector<double> magnitudes(regions.size(), whole ? std::round(drawn) : drawn);
   if (type.counts_points()) {
     for (std::size_t i = 0; i < regions.size(); ++i) {
-      const double points = place.points_per_region[regions[i]];
+      const double points = context.points_per_region[regions[i]];
       const double failed = request.magnitude.fraction ? drawn * points : drawn;
       magnitudes[i] = std::clamp(std::round(failed), 1.0, points);
     }
@@ -99,13 +99,13 @@ std::vector<int> draw_starts(const Request& request, const DrawKey& key) {
   return starts;
 }
 
-Fault draw_fault(const Request& request, const Place& place, int start, const Draws& draws) {
+Fault draw_fault(const Request& request, const FaultContext& context, int start, const Draws& draws) {
   Fault fault;
   fault.name = request.name;
   fault.type = request.type->effect;
   fault.regions = draw_regions(request.target, draws);
-  fault.magnitudes = draw_magnitudes(request, fault.regions, place, draws);
-  fault.start = start - place.clock.start;
+  fault.magnitudes = draw_magnitudes(request, fault.regions, context, draws);
+  fault.start = start - context.clock.start;
   fault.duration = draws.whole(request.duration, Field::duration);
   fault.ramp = std::min(draws.whole(request.ramp, Field::ramp), fault.duration / 2);
   fault.on_start = request.on_start;
@@ -119,16 +119,16 @@ Fault draw_fault(const Request& request, const Place& place, int start, const Dr
 
 }  // namespace
 
-std::vector<Fault> draw_faults(const Request& request, const Place& place, const DrawKey& key) {
+std::vector<Fault> draw_faults(const Request& request, const FaultContext& context, const DrawKey& key) {
   std::vector<Fault> faults;
   std::uint64_t repetition = 0;
   for (const int start : draw_starts(request, key)) {
-    Fault fault = draw_fault(request, place, start, Draws(key, request.name, repetition++));
+    Fault fault = draw_fault(request, context, start, Draws(key, request.name, repetition++));
     if (!request.start) {
       fault.name.append("-").append(std::to_string(repetition));
     }
     const bool broken_already = std::any_of(faults.begin(), faults.end(), [&](const Fault& earlier) {
-      return overlap(earlier, fault, place.clock).has_value();
+      return overlap(earlier, fault, context.clock).has_value();
     });
     if (!broken_already) {
       faults.push_back(std::move(fault));

@@ -16,6 +16,6 @@ struct DrawKey {
 /// Draws what a request leaves open: one fault, or one for each arrival. An arrival where an earlier one still lasts is
 /// left out: what is broken cannot break again. Every field draws from a stream of its own, keyed by (seed, run,
 /// the fault's name, repetition, field): no fault and no field disturbs another's draws.
-std::vector<Fault> draw_faults(const Request& request, const Place& place, const DrawKey& key);
+std::vector<Fault> draw_faults(const Request& request, const FaultContext& context, const DrawKey& key);
 
 }  // namespace evbal

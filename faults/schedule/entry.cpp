@@ -15,26 +15,26 @@ std::string read_name(YamlMap& map) {
   return name;
 }
 
-std::vector<int> regions_with(const Place& place, int min_points) {
+std::vector<int> regions_with(const FaultContext& context, int min_points) {
   std::vector<int> regions;
-  for (int region = 0; region < static_cast<int>(place.points_per_region.size()); ++region) {
-    if (place.points_per_region[region] >= min_points) {
+  for (int region = 0; region < static_cast<int>(context.points_per_region.size()); ++region) {
+    if (context.points_per_region[region] >= min_points) {
       regions.push_back(region);
     }
   }
   return regions;
 }
 
-std::vector<int> read_regions(const YamlValue& value, const Place& place, bool with_points) {
+std::vector<int> read_regions(const YamlValue& value, const FaultContext& context, bool with_points) {
   std::vector<int> regions;
   for (const auto& item : value.items()) {
-    const int region = item.integer(0, static_cast<int>(place.points_per_region.size()) - 1);
+    const int region = item.integer(0, static_cast<int>(context.points_per_region.size()) - 1);
     if (std::find(regions.begin(), regions.end(), region) != regions.end()) {
       throw item.error("region " + item.text() + " is given twice");
     }
-    if (with_points && place.points_per_region[region] == 0) {
+    if (with_points && context.points_per_region[region] == 0) {
       std::string others;
-      for (const int other : regions_with(place, 1)) {
+      for (const int other : regions_with(context, 1)) {
         others += (others.empty() ? "" : ", ") + std::to_string(other);
       }
       throw item.error("region " + item.text() + " has no charging points; those with points are " + others);

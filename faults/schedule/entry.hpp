@@ -18,10 +18,10 @@ struct PlacedFault {
 std::string read_name(YamlMap& map);
 
 /// Regions with at least so many points, ascending.
-std::vector<int> regions_with(const Place& place, int min_points);
+std::vector<int> regions_with(const FaultContext& context, int min_points);
 
 /// Reads a list of regions, ascending. Throws if one is out of range, given twice, or lacks the points that a fault
 /// needs.
-std::vector<int> read_regions(const YamlValue& value, const Place& place, bool with_points);
+std::vector<int> read_regions(const YamlValue& value, const FaultContext& context, bool with_points);
 
 }  // namespace evbal

@@ -37,13 +37,13 @@ void check_pair(const PlacedFault& earlier, const PlacedFault& later, const DayC
   }
 }
 
-void check_tick(const Guard& guard, std::span<const PlacedFault> faults, const Place& place, int tick) {
+void check_tick(const Guard& guard, std::span<const PlacedFault> faults, const FaultContext& context, int tick) {
   const PlacedFault* last = nullptr;
   const PlacedFault* last_outage = nullptr;
   int active = 0;
-  double working = std::accumulate(place.points_per_region.begin(), place.points_per_region.end(), 0.0);
+  double working = std::accumulate(context.points_per_region.begin(), context.points_per_region.end(), 0.0);
   for (const auto& placed : faults) {
-    if (!tick_window(placed.fault, place.clock).holds(tick)) {
+    if (!tick_window(placed.fault, context.clock).holds(tick)) {
       continue;
     }
     ++active;
@@ -53,7 +53,7 @@ void check_tick(const Guard& guard, std::span<const PlacedFault> faults, const P
       working -= std::accumulate(placed.fault.magnitudes.begin(), placed.fault.magnitudes.end(), 0.0);
     }
   }
-  const std::string at = " at " + time_of_day(place.clock, place.clock.minute_of(tick));
+  const std::string at = " at " + time_of_day(context.clock, context.clock.minute_of(tick));
   if (active > guard.max_active) {
     throw last->where.error("with fault " + line_of(*last) + " " + std::to_string(active) + " faults are active" + at +
                             "; the guard's max_active allows " + std::to_string(guard.max_active));
@@ -96,14 +96,14 @@ Guard read_guard(const YamlValue& value) {
   return guard;
 }
 
-void check_guard(const Guard& guard, std::span<const PlacedFault> faults, const Place& place) {
+void check_guard(const Guard& guard, std::span<const PlacedFault> faults, const FaultContext& context) {
   for (std::size_t later = 0; later < faults.size(); ++later) {
     for (std::size_t earlier = 0; earlier < later; ++earlier) {
-      check_pair(faults[earlier], faults[later], place.clock);
+      check_pair(faults[earlier], faults[later], context.clock);
     }
   }
-  for (int tick = 0; tick < place.clock.ticks(); ++tick) {
-    check_tick(guard, faults, place, tick);
+  for (int tick = 0; tick < context.clock.ticks(); ++tick) {
+    check_tick(guard, faults, context, tick);
   }
 }
 

@@ -21,6 +21,6 @@ Guard read_guard(const YamlValue& value);
 
 /// Throws Error{bad_input} at the fault that breaks a rule: a name used twice, two faults that exclude each other
 /// at a time, more faults at a time or fewer working points than the guard allows.
-void check_guard(const Guard& guard, std::span<const PlacedFault> faults, const Place& place);
+void check_guard(const Guard& guard, std::span<const PlacedFault> faults, const FaultContext& context);
 
 }  // namespace evbal

@@ -27,11 +27,11 @@ Arrivals read_arrivals(const YamlValue& value, const DayClock& clock) {
 }
 
 /// So many points that every region asked for has them, or one of those to be picked from.
-Quantity read_points(const YamlValue& points, const Target& target, const Place& place) {
+Quantity read_points(const YamlValue& points, const Target& target, const FaultContext& context) {
   const auto& candidates = target.candidates;
-  const auto fewer = [&](int a, int b) { return place.points_per_region[a] < place.points_per_region[b]; };
+  const auto fewer = [&](int a, int b) { return context.points_per_region[a] < context.points_per_region[b]; };
   const auto [least, most] = std::minmax_element(candidates.begin(), candidates.end(), fewer);
-  const int limit = place.points_per_region[points.is_scalar() ? *least : *most];
+  const int limit = context.points_per_region[points.is_scalar() ? *least : *most];
   if (points.is_scalar() && points.integer() > limit) {
     throw points.error("`" + points.text() + "` points are more than region " + std::to_string(*least) +
                        " has; give at most " + std::to_string(limit) + " or choose regions with more");
@@ -39,7 +39,7 @@ Quantity read_points(const YamlValue& points, const Target& target, const Place&
   return read_quantity(points, Unit::number, {1.0, static_cast<double>(limit)});
 }
 
-Magnitude read_count(const YamlValue& value, const Request& request, const Place& place) {
+Magnitude read_count(const YamlValue& value, const Request& request, const FaultContext& context) {
   const FaultType& type = *request.type;
   YamlMap map(value);
   const auto counted = map.find(type.counted);
@@ -53,7 +53,7 @@ Magnitude read_count(const YamlValue& value, const Request& request, const Place
     return {read_quantity(*fraction, Unit::number, {0.01, 1.0}), true};
   }
   if (type.counts_points()) {
-    return {read_points(*counted, request.target, place), false};
+    return {read_points(*counted, request.target, context), false};
   }
   if (counted->is_scalar()) {
     counted->integer();
@@ -61,14 +61,14 @@ Magnitude read_count(const YamlValue& value, const Request& request, const Place
   return {read_quantity(*counted, Unit::number, type.range), false};
 }
 
-Magnitude read_magnitude(YamlMap& map, const Request& request, const Place& place) {
+Magnitude read_magnitude(YamlMap& map, const Request& request, const FaultContext& context) {
   const FaultType& type = *request.type;
   if (type.unit == MagnitudeUnit::none) {
     return {};
   }
   const auto value = map.require(type.magnitude);
   if (type.unit == MagnitudeUnit::count) {
-    return read_count(value, request, place);
+    return read_count(value, request, context);
   }
   return {read_quantity(value, type.unit == MagnitudeUnit::minutes ? Unit::minutes : Unit::number, type.range), false};
 }
@@ -99,16 +99,16 @@ void read_times(YamlMap& map, const DayClock& clock, Request& request) {
 
 }  // namespace
 
-Request read_request(const YamlValue& entry, const Place& place) {
+Request read_request(const YamlValue& entry, const FaultContext& context) {
   YamlMap map(entry);
   Request request;
   request.name = read_name(map);
   request.type = &fault_types()[map.require("type").one_of(fault_type_names())];
-  request.target = read_target(map, *request.type, place);
-  read_times(map, place.clock, request);
-  request.magnitude = read_magnitude(map, request, place);
+  request.target = read_target(map, *request.type, context);
+  read_times(map, context.clock, request);
+  request.magnitude = read_magnitude(map, request, context);
   if (request.type->to) {
-    request.to = map.require("to").integer(0, static_cast<int>(place.points_per_region.size()) - 1);
+    request.to = map.require("to").integer(0, static_cast<int>(context.points_per_region.size()) - 1);
   }
   if (const auto given = request.type->on_start ? map.find("on_start") : std::nullopt) {
     request.on_start = static_cast<OnStart>(given->one_of(on_start_words()));

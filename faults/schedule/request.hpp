@@ -39,6 +39,6 @@ struct Request {
 };
 
 /// Throws Error{bad_input} with file, line and what would be right.
-Request read_request(const YamlValue& entry, const Place& place);
+Request read_request(const YamlValue& entry, const FaultContext& context);
 
 }  // namespace evbal

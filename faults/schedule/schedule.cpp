@@ -30,7 +30,7 @@ double read_drawn(const YamlValue& value, const FaultType& type, int points) {
 }
 
 std::vector<double> read_magnitudes(YamlMap& map, const FaultType& type, const std::vector<int>& regions,
-                                    const Place& place) {
+                                    const FaultContext& context) {
   if (type.unit == MagnitudeUnit::none) {
     return std::vector<double>(regions.size(), 0.0);
   }
@@ -41,7 +41,7 @@ std::vector<double> read_magnitudes(YamlMap& map, const FaultType& type, const s
   }
   std::vector<double> magnitudes;
   for (std::size_t i = 0; i < regions.size(); ++i) {
-    magnitudes.push_back(read_drawn(items[i], type, type.counts_points() ? place.points_per_region[regions[i]] : 0));
+    magnitudes.push_back(read_drawn(items[i], type, type.counts_points() ? context.points_per_region[regions[i]] : 0));
   }
   return magnitudes;
 }
@@ -54,13 +54,13 @@ int read_ramp(const YamlValue& value, int duration) {
   return static_cast<int>(ramp);
 }
 
-Fault read_fault(const YamlValue& entry, const Place& place) {
+Fault read_fault(const YamlValue& entry, const FaultContext& context) {
   YamlMap map(entry);
   Fault fault;
   fault.name = read_name(map);
   const FaultType& type = fault_types()[map.require("type").one_of(fault_type_names())];
   fault.type = type.effect;
-  const Target target = read_target(map, type, place);
+  const Target target = read_target(map, type, context);
   if (target.pick) {
     throw map.require("target").error("the target is still to be drawn; give its regions");
   }
@@ -68,15 +68,16 @@ Fault read_fault(const YamlValue& entry, const Place& place) {
   fault.field = target.field;
   fault.process = target.process;
   fault.topic = target.topic;
-  fault.magnitudes = read_magnitudes(map, type, fault.regions, place);
+  fault.magnitudes = read_magnitudes(map, type, fault.regions, context);
   if (type.to) {
-    fault.to = map.require("to").integer(0, static_cast<int>(place.points_per_region.size()) - 1);
+    fault.to = map.require("to").integer(0, static_cast<int>(context.points_per_region.size()) - 1);
   }
   const auto start = map.require("start");
-  fault.start = start.time_of_day() - place.clock.start;
-  if (fault.start < 0 || fault.start >= place.clock.minutes()) {
-    throw start.error("`" + start.text() + "` is outside of the day; give a time from " + time_of_day(place.clock, 0) +
-                      ", before " + time_of_day(place.clock, place.clock.minutes()));
+  fault.start = start.time_of_day() - context.clock.start;
+  if (fault.start < 0 || fault.start >= context.clock.minutes()) {
+    throw start.error("`" + start.text() + "` is outside of the day; give a time from " +
+                      time_of_day(context.clock, 0) + ", before " +
+                      time_of_day(context.clock, context.clock.minutes()));
   }
   fault.duration = map.require(type.duration).whole_minutes();
   if (type.ramp) {
@@ -134,8 +135,8 @@ int read_runs(const YamlValue& value, bool resolved) {
 }
 
 /// Faults that keep the guard.
-std::vector<Fault> checked(const std::vector<PlacedFault>& placed, const Guard& guard, const Place& place) {
-  check_guard(guard, placed, place);
+std::vector<Fault> checked(const std::vector<PlacedFault>& placed, const Guard& guard, const FaultContext& context) {
+  check_guard(guard, placed, context);
   std::vector<Fault> faults;
   faults.reserve(placed.size());
   for (const auto& fault : placed) {
@@ -144,24 +145,24 @@ std::vector<Fault> checked(const std::vector<PlacedFault>& placed, const Guard& 
   return faults;
 }
 
-std::vector<Fault> draw_all(const std::vector<YamlValue>& entries, const Guard& guard, const Place& place,
+std::vector<Fault> draw_all(const std::vector<YamlValue>& entries, const Guard& guard, const FaultContext& context,
                             const DrawKey& key) {
   std::vector<PlacedFault> placed;
   for (const auto& entry : entries) {
-    for (auto& fault : draw_faults(read_request(entry, place), place, key)) {
+    for (auto& fault : draw_faults(read_request(entry, context), context, key)) {
       placed.push_back({std::move(fault), entry});
     }
   }
-  return checked(placed, guard, place);
+  return checked(placed, guard, context);
 }
 
 /// Draws `runs` schedules. What is wrong with a later one is said with its number.
-std::vector<Schedule> draw_runs(const std::vector<YamlValue>& entries, const Schedule& head, const Place& place,
-                                int runs) {
+std::vector<Schedule> draw_runs(const std::vector<YamlValue>& entries, const Schedule& head,
+                                const FaultContext& context, int runs) {
   std::vector<Schedule> schedules(static_cast<std::size_t>(runs), head);
   for (int run = 0; run < runs; ++run) {
     try {
-      schedules[run].faults = draw_all(entries, head.guard, place, {head.seed, static_cast<std::uint64_t>(run)});
+      schedules[run].faults = draw_all(entries, head.guard, context, {head.seed, static_cast<std::uint64_t>(run)});
     } catch (const Error& error) {
       throw run == 0 ? error
                      : Error(error.status(), std::string(error.what()) + " (in draw " + std::to_string(run + 1) +
@@ -173,7 +174,7 @@ std::vector<Schedule> draw_runs(const std::vector<YamlValue>& entries, const Sch
 
 }  // namespace
 
-std::vector<Schedule> read_schedules(YamlMap& map, const Place& place) {
+std::vector<Schedule> read_schedules(YamlMap& map, const FaultContext& context) {
   map.require("schema").integer(1, 1);
   const auto resolved_key = map.find("resolved");
   const bool resolved = resolved_key && resolved_key->boolean();
@@ -188,7 +189,7 @@ std::vector<Schedule> read_schedules(YamlMap& map, const Place& place) {
   const int runs = given ? read_runs(*given, resolved) : 1;
   const auto entries = map.require("faults").items();
   if (!resolved) {
-    auto schedules = draw_runs(entries, head, place, runs);
+    auto schedules = draw_runs(entries, head, context, runs);
     if (runs > 1 && std::all_of(schedules.begin(), schedules.end(),
                                 [&](const Schedule& schedule) { return schedule == schedules.front(); })) {
       throw given->error(
@@ -200,19 +201,19 @@ std::vector<Schedule> read_schedules(YamlMap& map, const Place& place) {
   std::vector<PlacedFault> placed;
   placed.reserve(entries.size());
   for (const auto& entry : entries) {
-    placed.push_back({read_fault(entry, place), entry});
+    placed.push_back({read_fault(entry, context), entry});
   }
-  head.faults = checked(placed, head.guard, place);
+  head.faults = checked(placed, head.guard, context);
   return {head};
 }
 
-Schedule read_resolved(YamlMap& scenario, const Place& place) {
+Schedule read_resolved(YamlMap& scenario, const FaultContext& context) {
   YamlMap map(scenario.require("faults"));
   const auto resolved = map.require("resolved");
   if (!resolved.boolean()) {
     throw resolved.error("the faults must be drawn already; give a resolved scenario");
   }
-  auto schedules = read_schedules(map, place);
+  auto schedules = read_schedules(map, context);
   map.finish();
   return schedules.front();
 }

@@ -13,7 +13,7 @@
 namespace evbal {
 
 /// What a schedule may refer to: the simulated day, and the regions by their charging points.
-struct Place {
+struct FaultContext {
   DayClock clock;
   std::vector<int> points_per_region;
 };
@@ -59,10 +59,10 @@ struct Schedule {
 /// `resolved: true` is taken as it stands. Asks `map` for the keys of a schedule only: the caller asks for its own and
 /// calls finish(). Throws Error{bad_input} with file and line for whatever is unknown, out of range, or against the
 /// guard, and if all runs would be the same.
-std::vector<Schedule> read_schedules(YamlMap& map, const Place& place);
+std::vector<Schedule> read_schedules(YamlMap& map, const FaultContext& context);
 
 /// Reads the key `faults` of a resolved scenario. Throws as read_schedules, and if anything is still to be drawn.
-Schedule read_resolved(YamlMap& scenario, const Place& place);
+Schedule read_resolved(YamlMap& scenario, const FaultContext& context);
 
 /// The schedule as YAML that read_schedules gives back unchanged.
 std::string schedule_yaml(const Schedule& schedule, const DayClock& clock);

@@ -18,9 +18,10 @@ bool needs_points(const FaultType& type) {
   return type.target == TargetKind::stations;
 }
 
-std::vector<int> read_candidates(const std::optional<YamlValue>& of, const FaultType& type, const Place& place) {
+std::vector<int> read_candidates(const std::optional<YamlValue>& of, const FaultType& type,
+                                 const FaultContext& context) {
   if (!of) {
-    return regions_with(place, needs_points(type) ? 1 : 0);
+    return regions_with(context, needs_points(type) ? 1 : 0);
   }
   YamlMap map(*of);
   const auto list = map.find(list_key(type));
@@ -29,7 +30,8 @@ std::vector<int> read_candidates(const std::optional<YamlValue>& of, const Fault
   if (list.has_value() == min_points.has_value()) {
     throw of->error(std::string("expected either `") + list_key(type) + ": [..]` or `min_points: k`");
   }
-  return list ? read_regions(*list, place, needs_points(type)) : regions_with(place, min_points->integer(1, 1'000'000));
+  return list ? read_regions(*list, context, needs_points(type))
+              : regions_with(context, min_points->integer(1, 1'000'000));
 }
 
 void refuse_nobody(const YamlValue& value, const std::vector<int>& candidates) {
@@ -48,7 +50,7 @@ Quantity read_pick(const YamlValue& value, const std::vector<int>& candidates) {
 }
 
 /// The regions of a target: a list, or so many of some.
-void read_where(YamlMap& map, const FaultType& type, const Place& place, Target& target) {
+void read_where(YamlMap& map, const FaultType& type, const FaultContext& context, Target& target) {
   const auto list = map.find(list_key(type));
   const auto one = names_agents(type) ? map.find("agent") : std::nullopt;
   const auto pick = map.find("pick");
@@ -63,14 +65,14 @@ void read_where(YamlMap& map, const FaultType& type, const Place& place, Target&
                             ", or `pick: n` or `fraction: f`, with or without `of: {min_points: k}`");
   }
   if (one) {
-    target.candidates = {one->integer(0, static_cast<int>(place.points_per_region.size()) - 1)};
+    target.candidates = {one->integer(0, static_cast<int>(context.points_per_region.size()) - 1)};
     return;
   }
   if (list) {
-    target.candidates = read_regions(*list, place, needs_points(type));
+    target.candidates = read_regions(*list, context, needs_points(type));
     return;
   }
-  target.candidates = read_candidates(of, type, place);
+  target.candidates = read_candidates(of, type, context);
   if (pick) {
     target.pick = read_pick(*pick, target.candidates);
   } else if (fraction) {
@@ -107,7 +109,7 @@ std::string listed(const std::vector<int>& regions) {
 
 }  // namespace
 
-Target read_target(YamlMap& entry, const FaultType& type, const Place& place) {
+Target read_target(YamlMap& entry, const FaultType& type, const FaultContext& context) {
   Target target;
   if (type.target == TargetKind::engine) {
     target.candidates = {no_region};
@@ -124,7 +126,7 @@ Target read_target(YamlMap& entry, const FaultType& type, const Place& place) {
   if (names_agents(type) && read_single_process(map, target)) {
     map.finish();
   } else {
-    read_where(map, type, place, target);
+    read_where(map, type, context, target);
   }
   return target;
 }

@@ -23,7 +23,7 @@ struct Target {
 
 /// Reads the key `target` of an entry, which faults of the engine do not have. Throws Error{bad_input} with what would
 /// be right.
-Target read_target(YamlMap& entry, const FaultType& type, const Place& place);
+Target read_target(YamlMap& entry, const FaultType& type, const FaultContext& context);
 
 /// `{regions: [3, 7]}`: the target of a drawn fault as YAML that read_target takes; empty for the engine.
 std::string target_yaml(const Fault& fault);

@@ -151,11 +151,11 @@ TEST(Controllers, PointsStandInForCompletionsInUtilisationOnly) {
   for (const auto& controller : solving) {
     EXPECT_NE(optimum(controller, data, points), optimum(controller, data)) << controller;
   }
-  const auto switches = Switches{};
-  EXPECT_TRUE(beliefs(points, data, switches).c_low.isApprox(beliefs({}, data, switches).c_low));
-  EXPECT_FALSE(beliefs(points, data, switches).c_hat.isApprox(beliefs({}, data, switches).c_hat));
+  const auto options = FormulationOptions{};
+  EXPECT_TRUE(uncertainty_model(points, data, options).c_low.isApprox(uncertainty_model({}, data, options).c_low));
+  EXPECT_FALSE(uncertainty_model(points, data, options).c_hat.isApprox(uncertainty_model({}, data, options).c_hat));
   data.free_points.mean.setConstant(1e3);
-  EXPECT_TRUE(beliefs(points, data, switches).c_hat.isApprox(data.points)) << "no more than there are";
+  EXPECT_TRUE(uncertainty_model(points, data, options).c_hat.isApprox(data.points)) << "no more than there are";
 }
 
 // With one step, moving vacant and low-battery cars are two problems of one net flow each; both by golden section.
@@ -219,12 +219,13 @@ RC_GTEST_PROP(Controllers, NeverSendMoreThanThereIsAndLoseNobody, ()) {
   const auto seed = *rc::gen::arbitrary<std::uint64_t>();
   const int regions = *rc::gen::inRange(1, 6);
   const auto data = random_planning_data(seed, {.regions = regions, .tau = 3});
-  const auto switches = *rc::gen::element(Switches{Shortage::band, Belief::worst_case, Belief::worst_case},
-                                          Switches{Shortage::moments, Belief::worst_case, Belief::worst_case},
-                                          Switches{Shortage::band, Belief::samples, Belief::mean},
-                                          Switches{Shortage::ratio, Belief::mean, Belief::mean},
-                                          Switches{Shortage::turnover, Belief::counts, Belief::mean});
-  const auto formulation = formulate({}, data, switches);
+  const auto options =
+      *rc::gen::element(FormulationOptions{Shortage::band, Uncertainty::worst_case, Uncertainty::worst_case},
+                        FormulationOptions{Shortage::moments, Uncertainty::worst_case, Uncertainty::worst_case},
+                        FormulationOptions{Shortage::band, Uncertainty::samples, Uncertainty::mean},
+                        FormulationOptions{Shortage::ratio, Uncertainty::mean, Uncertainty::mean},
+                        FormulationOptions{Shortage::turnover, Uncertainty::counts, Uncertainty::mean});
+  const auto formulation = formulate({}, data, options);
   const auto solution = solve(formulation.program, {});
   RC_ASSERT(solution.certificate.optimal);
   Eigen::VectorXd left = data.state.vacant;

@@ -21,9 +21,9 @@ double objective(const std::string& controller, const PlanningData& data, const 
 }
 
 TEST(OwnController, PricesShortageByATermOfItsOwn) {
-  const auto price = [](int k, const Variables& S, const Beliefs& beliefs, ConvexProgram& program) {
+  const auto price = [](int k, const Variables& S, const UncertaintyModel& model, ConvexProgram& program) {
     for (std::size_t i = 0; i < S.size(); ++i) {
-      const double r_hat = beliefs.r_hat(static_cast<Eigen::Index>(i), k);
+      const double r_hat = model.r_hat(static_cast<Eigen::Index>(i), k);
       program.minimise_curve(label("own", k), 30.0 * r_hat, S[i], inverse_power(0.5, 1.0));
     }
   };
@@ -38,11 +38,12 @@ TEST(OwnController, PricesShortageByATermOfItsOwn) {
 TEST(OwnController, OfAnOwnTermSeesTheDemandAsItsSwitchSays) {
   const auto data = random_planning_data(12, {.regions = 5});
   double seen = 0.0;
-  const auto look = [&](int k, const Variables&, const Beliefs& beliefs, ConvexProgram&) {
-    seen += k == 0 ? beliefs.shortage.front().values.front() : 0.0;
+  const auto look = [&](int k, const Variables&, const UncertaintyModel& model, ConvexProgram&) {
+    seen += k == 0 ? model.shortage.front().values.front() : 0.0;
   };
   const double spread = std::sqrt(std::min(data.demand.g1, data.demand.g2)) * data.demand.standard_deviation()(0);
-  objective({"mine", optimum({.shortage = Shortage::own, .demand = Belief::worst_case, .own = look})}, data, "cuts");
+  objective({"mine", optimum({.shortage = Shortage::own, .demand = Uncertainty::worst_case, .own = look})}, data,
+            "cuts");
   EXPECT_NEAR(seen, data.demand.mean(0) + spread, 1e-12);
 }
 

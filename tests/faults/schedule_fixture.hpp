@@ -2,23 +2,30 @@
 
 #include "faults/schedule/schedule.hpp"
 
+#include <cassert>
 #include <string>
 
 namespace evbal::testing {
 
 /// A day from 05:00 to 24:00 and five regions, of which 1, 3 and 4 have charging points.
-inline Place small_place() {
+inline FaultContext small_place() {
   return {DayClock{}, {0, 4, 0, 12, 20}};
 }
 
-inline std::vector<Schedule> read_runs(const std::string& text, const Place& place = small_place()) {
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const auto at = text.find(from);
+  assert(at != std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
+inline std::vector<Schedule> read_runs(const std::string& text, const FaultContext& place = small_place()) {
   YamlMap map(YamlValue::parse(text, "faults.yaml"));
   auto schedules = read_schedules(map, place);
   map.finish();
   return schedules;
 }
 
-inline Schedule read_text(const std::string& text, const Place& place = small_place()) {
+inline Schedule read_text(const std::string& text, const FaultContext& place = small_place()) {
   return read_runs(text, place).front();
 }
 

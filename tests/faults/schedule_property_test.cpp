@@ -97,7 +97,7 @@ Schedule random_schedule() {
 
 RC_GTEST_PROP(ScheduleProperty, ResolvedListReadsBackUnchanged, ()) {
   const Schedule schedule = random_schedule();
-  const Place place = small_place();
+  const FaultContext place = small_place();
   const std::string yaml = schedule_yaml(schedule, place.clock);
   RC_ASSERT(read_text(yaml) == schedule);
   RC_ASSERT(schedule_yaml(read_text(yaml), place.clock) == yaml);
@@ -115,7 +115,7 @@ RC_GTEST_PROP(ScheduleProperty, SeedDecidesTheDraws, (std::uint64_t seed)) {
 }
 
 RC_GTEST_PROP(ScheduleProperty, FaultsAreWithinTheDayAndTheCity, ()) {
-  const Place place = small_place();
+  const FaultContext place = small_place();
   for (const auto& fault : random_schedule().faults) {
     const FaultType& type = fault_type(fault.type);
     RC_ASSERT(fault.start >= 0 && fault.start < place.clock.minutes());
@@ -132,7 +132,7 @@ RC_GTEST_PROP(ScheduleProperty, FaultsAreWithinTheDayAndTheCity, ()) {
 }
 
 RC_GTEST_PROP(ScheduleProperty, EveryFaultActsInItsWindowOnly, ()) {
-  const Place place = small_place();
+  const FaultContext place = small_place();
   const Schedule schedule = random_schedule();
   std::vector<int> acted(schedule.faults.size());
   for (int tick = 0; tick < place.clock.ticks(); ++tick) {

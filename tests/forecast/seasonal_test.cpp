@@ -132,25 +132,27 @@ TEST(SeasonalForecaster, SaysHowFarTheLastStepsWereOff) {
   SeasonalModel model = plain_model(Eigen::MatrixXd::Constant(2, steps, 6.0));
   model.region[0].variance = 4.0;
   SeasonalForecaster forecaster(model, DayKind::weekday);
-  EXPECT_EQ(forecaster.surprise(0).region, Eigen::Vector2d::Zero()) << "nothing is known yet";
+  EXPECT_EQ(forecaster.normalised_innovation(0).region, Eigen::Vector2d::Zero()) << "nothing is known yet";
   const double unknown = std::numeric_limits<double>::quiet_NaN();
   forecaster.observe(30, Eigen::Vector2d(16.0, 6.0));
   // 22 against 12; 11 and 11 would have been their shares, and 6.25 is the scale squared.
-  EXPECT_NEAR(forecaster.surprise(30).city, 100.0 / 12.0, 1e-12);
-  EXPECT_NEAR(forecaster.surprise(30).region(0), 25.0 / 6.25 / 4.0, 1e-12);
-  EXPECT_NEAR(forecaster.surprise(30).region(1), 25.0 / 6.25, 1e-12) << "no less than a Poisson count's variance";
+  EXPECT_NEAR(forecaster.normalised_innovation(30).city, 100.0 / 12.0, 1e-12);
+  EXPECT_NEAR(forecaster.normalised_innovation(30).region(0), 25.0 / 6.25 / 4.0, 1e-12);
+  EXPECT_NEAR(forecaster.normalised_innovation(30).region(1), 25.0 / 6.25, 1e-12)
+      << "no less than a Poisson count's variance";
   forecaster.observe(60, Eigen::Vector2d(6.0, unknown));
-  EXPECT_NEAR(forecaster.surprise(60).region(0), 0.5, 1e-12);
-  EXPECT_NEAR(forecaster.surprise(60).region(1), 4.0, 1e-12) << "what is unknown does not count";
+  EXPECT_NEAR(forecaster.normalised_innovation(60).region(0), 0.5, 1e-12);
+  EXPECT_NEAR(forecaster.normalised_innovation(60).region(1), 4.0, 1e-12) << "what is unknown does not count";
   forecaster.observe(90, Eigen::Vector2d(6.0, 6.0));
   forecaster.observe(120, Eigen::Vector2d(6.0, 6.0));
-  EXPECT_EQ(forecaster.surprise(120).region, Eigen::Vector2d::Zero()) << "an hour and a half later it is forgotten";
+  EXPECT_EQ(forecaster.normalised_innovation(120).region, Eigen::Vector2d::Zero())
+      << "an hour and a half later it is forgotten";
 }
 
 TEST(DailySurprise, IsExceededOnceADay) {
   std::vector<HeldOutDay> days(2);
-  days[0].surprise = Eigen::Vector3d(5.0, 1.0, 9.0);
-  days[1].surprise = Eigen::Vector3d(2.0, 4.0, 3.0);
+  days[0].normalised_innovation = Eigen::Vector3d(5.0, 1.0, 9.0);
+  days[1].normalised_innovation = Eigen::Vector3d(2.0, 4.0, 3.0);
   EXPECT_EQ(daily_surprise(days), 4.0);
 }
 
@@ -161,8 +163,8 @@ TEST(FitSeasonal, LearnsThatALevelStays) {
   for (const auto& day : leave_one_day_out(days, 30, choose_orders(days), 2)) {
     EXPECT_EQ(day.residuals.rows(), 8);
     EXPECT_EQ(day.residuals.cols(), steps - 1);
-    EXPECT_GT(day.surprise.minCoeff(), 0.5) << "the largest of a day";
-    EXPECT_LT(day.surprise.maxCoeff(), 20.0);
+    EXPECT_GT(day.normalised_innovation.minCoeff(), 0.5) << "the largest of a day";
+    EXPECT_LT(day.normalised_innovation.maxCoeff(), 20.0);
     skill += day.skill;
   }
   EXPECT_LT(skill.forecast.sum(), 0.7 * skill.seasonal_mean.sum());

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,69 +24,71 @@ struct Room {
   Words knows;  ///< rooms above it in the table, besides itself
 };
 
-// A program's `main` lies in the folder above its libraries, so "agents" is the room of evbal-agent alone.
+// A program's `main` lies in the folder above its libraries, so "agents" is the room of evbal-agent alone. A row names
+// what the room includes today and nothing more.
 const std::vector<Room>& rooms() {
   static const std::vector<Room> table = {
       {"common", {}},
       {"agents/protocol", {"common"}},
-      {"agents/city", {"common"}},
-      {"agents/region", {"common", "agents/protocol", "agents/city"}},
+      {"agents/world", {"common", "agents/protocol"}},
+      {"agents/region", {"common", "agents/protocol", "agents/world"}},
       {"agents/bus", {"common", "agents/protocol"}},
-      {"coordinator/forecast", {"common", "agents/city"}},
-      {"coordinator/ambiguity", {"common", "agents/city", "coordinator/forecast"}},
-      {"coordinator/balancing", {"common", "agents/city", "coordinator/forecast", "coordinator/ambiguity"}},
-      {"coordinator/planning",
-       {"common", "agents/protocol", "agents/city", "coordinator/forecast", "coordinator/ambiguity",
-        "coordinator/balancing"}},
+      {"agents/hosting", {"common", "agents/protocol", "agents/bus"}},
+      {"agents", {"agents/protocol", "agents/world", "agents/region", "agents/hosting"}},
       {"faults/schedule", {"common", "agents/protocol"}},
-
-      {"agents", {"common", "agents/protocol", "agents/city", "agents/region", "agents/bus"}},
-      // faults: for the `oracle` alone, which is told the future
-      {"coordinator/serving",
-       {"common", "agents/protocol", "agents/city", "agents/region", "agents/bus", "coordinator/balancing",
-        "coordinator/planning", "faults/schedule"}},
+      {"faults", {"agents/world", "agents/hosting", "faults/schedule"}},
+      {"coordinator/forecast", {"common"}},
+      {"coordinator/ambiguity", {"common", "coordinator/forecast"}},
+      {"coordinator/convex", {}},
+      {"coordinator/balancing", {"coordinator/forecast", "coordinator/ambiguity", "coordinator/convex"}},
+      {"coordinator/planning",
+       {"common", "agents/protocol", "agents/world", "coordinator/forecast", "coordinator/ambiguity",
+        "coordinator/convex", "coordinator/balancing"}},
       {"coordinator/bridge",
-       {"common", "agents/protocol", "agents/city", "agents/region", "agents/bus", "coordinator/balancing",
+       {"common", "agents/protocol", "agents/world", "agents/hosting", "coordinator/balancing",
         "coordinator/planning"}},
-      {"coordinator", {"coordinator/serving", "coordinator/bridge"}},
-      {"faults", {"common", "agents/protocol", "agents/city", "agents/region", "agents/bus", "faults/schedule"}},
-
+      {"coordinator/serving",
+       {"common", "agents/protocol", "agents/world", "agents/hosting", "faults/schedule", "coordinator/balancing",
+        "coordinator/planning"}},
+      {"coordinator", {"coordinator/bridge", "coordinator/serving"}},
       {"experiments/scenario",
-       {"common", "agents/protocol", "agents/city", "agents/region", "coordinator/balancing", "coordinator/planning",
-        "faults/schedule"}},
+       {"common", "agents/world", "faults/schedule", "coordinator/convex", "coordinator/balancing",
+        "coordinator/planning"}},
       {"experiments/conductor",
-       {"common", "agents/protocol", "agents/city", "agents/region", "agents/bus", "coordinator/planning",
-        "faults/schedule", "experiments/scenario"}},
-      {"experiments/progress", {"common", "agents/protocol", "agents/city", "agents/region", "experiments/conductor"}},
-      {"experiments/metrics",
-       {"common", "agents/protocol", "agents/city", "agents/region", "experiments/scenario", "experiments/conductor"}},
+       {"common", "agents/protocol", "agents/world", "agents/region", "agents/bus", "agents/hosting",
+        "experiments/scenario"}},
+      {"experiments/metrics", {"common", "agents/protocol"}},
       {"experiments/record",
-       {"common", "agents/protocol", "agents/city", "agents/region", "coordinator/planning", "faults/schedule",
-        "experiments/scenario", "experiments/conductor", "experiments/metrics"}},
-      {"experiments/sweep",
-       {"common", "agents/protocol", "agents/city", "agents/region", "coordinator/balancing", "coordinator/planning",
-        "faults/schedule", "experiments/scenario", "experiments/conductor", "experiments/metrics",
-        "experiments/record"}},
-      {"tools/records", {"common", "agents/city"}},
+       {"common", "agents/protocol", "faults/schedule", "experiments/scenario", "experiments/metrics"}},
+      {"experiments/progress", {"common", "agents/protocol"}},
+      {"experiments/run",
+       {"common", "agents/world", "coordinator/planning", "experiments/scenario", "experiments/conductor",
+        "experiments/metrics", "experiments/record", "experiments/progress"}},
+      {"experiments/study/design",
+       {"common", "coordinator/balancing", "experiments/scenario", "experiments/metrics", "experiments/record"}},
+      {"experiments/study/store", {"common", "experiments/metrics", "experiments/record", "experiments/study/design"}},
+      {"experiments/study/statistics", {"common", "experiments/metrics", "experiments/study/design"}},
+      {"experiments/study/executors",
+       {"common", "experiments/scenario", "experiments/record", "experiments/progress", "experiments/run",
+        "experiments/study/design", "experiments/study/store", "experiments/study/statistics"}},
+      {"tools/records", {"common", "agents/world"}},
       {"tools/fit",
-       {"common", "agents/protocol", "agents/city", "agents/region", "coordinator/forecast", "coordinator/ambiguity",
-        "coordinator/balancing", "coordinator/planning", "faults/schedule", "experiments/scenario",
-        "experiments/conductor", "experiments/metrics"}},
-      {"tools/gps", {"common", "agents/city", "tools/records", "tools/fit"}},
-      {"tools/ingest", {"common", "agents/city", "tools/records", "tools/gps"}},
+       {"common", "agents/world", "coordinator/forecast", "coordinator/balancing", "coordinator/planning",
+        "experiments/conductor"}},
+      {"tools/gps", {"agents/world", "tools/records", "tools/fit"}},
+      {"tools/ingest", {"common", "agents/world", "tools/records"}},
       {"tools/report",
-       {"common", "agents/protocol", "agents/city", "agents/region", "coordinator/ambiguity", "coordinator/forecast",
-        "experiments/scenario", "experiments/metrics", "experiments/record", "experiments/sweep"}},
-      {"tools/samples", {"common", "coordinator/ambiguity", "coordinator/balancing"}},
+       {"common", "agents/world", "coordinator/forecast", "experiments/record", "experiments/study/store",
+        "experiments/study/statistics"}},
+      {"tools/samples", {"common", "coordinator/balancing"}},
       {"tools/verify",
-       {"common", "agents/region", "coordinator/forecast", "coordinator/ambiguity", "coordinator/balancing",
-        "coordinator/planning", "tools/samples"}},
-      {"tools/bench", {"common", "coordinator/ambiguity", "coordinator/balancing", "tools/samples", "tools/verify"}},
-      {"experiments/commands",
-       {"common", "agents/protocol", "agents/city", "agents/region", "coordinator/planning", "faults/schedule",
-        "experiments/scenario", "experiments/conductor", "experiments/progress", "experiments/metrics",
-        "experiments/record", "experiments/sweep", "tools/report"}},
-      {"experiments", {"common", "agents/region", "experiments/commands", "tools/ingest", "tools/fit", "tools/verify"}},
+       {"common", "coordinator/ambiguity", "coordinator/convex", "coordinator/balancing", "coordinator/planning",
+        "tools/samples"}},
+      {"tools/bench", {"common", "coordinator/convex", "coordinator/balancing", "tools/samples", "tools/verify"}},
+      {"tools/evbal",
+       {"common", "agents/world", "coordinator/planning", "experiments/scenario", "experiments/record",
+        "experiments/run", "experiments/study/design", "experiments/study/store", "experiments/study/statistics",
+        "experiments/study/executors", "tools/fit", "tools/gps", "tools/ingest", "tools/report", "tools/verify"}},
   };
   return table;
 }
@@ -96,15 +101,11 @@ struct Reserved {
 // Third-party names that stay in one place.
 const std::vector<Reserved>& reserved() {
   static const std::vector<Reserved> table = {
-      {"fastdds/", {"agents/bus"}},
-      {"fastrtps/", {"agents/bus"}},
-      {"fastcdr/", {"agents/bus"}},
-      {"IpTNLP", {"coordinator/balancing"}},
-      {"IpIpopt", {"coordinator/balancing"}},
-      {"yaml-cpp/", {"common"}},
-      {"Random123/", {"common"}},
-      {"nlopt", {"coordinator/forecast"}},
-      {"SQLiteCpp/", {"experiments/record", "experiments/sweep"}},
+      {"fastdds/", {"agents/bus"}},        {"fastrtps/", {"agents/bus"}},
+      {"fastcdr/", {"agents/bus"}},        {"IpTNLP", {"coordinator/convex"}},
+      {"IpIpopt", {"coordinator/convex"}}, {"coin/", {"coordinator/convex", "tools/verify"}},
+      {"yaml-cpp/", {"common"}},           {"Random123/", {"common"}},
+      {"nlopt", {"coordinator/forecast"}}, {"SQLiteCpp/", {"experiments/record", "experiments/study/store"}},
   };
   return table;
 }
@@ -175,61 +176,144 @@ std::vector<Include> all_includes() {
   return found;
 }
 
-TEST(Arrows, TableRunsDownhill) {
+using Complaints = std::vector<std::string>;
+
+Complaints wrong_rows(const std::vector<Room>& table) {
+  Complaints wrong;
   Words above;
-  for (const Room& room : rooms()) {
+  for (const Room& room : table) {
     for (const std::string& known : room.knows) {
-      EXPECT_TRUE(contains(above, known)) << room.folder << " knows " << known << ", which does not lie below it";
+      if (!contains(above, known)) {
+        wrong.push_back(room.folder + " knows " + known + ", which does not lie below it");
+      }
     }
     above.push_back(room.folder);
   }
+  return wrong;
+}
+
+Complaints wrong_includes(const std::vector<Include>& includes) {
+  Complaints wrong;
+  for (const Include& include : includes) {
+    const Room* room = find_room(include.room);
+    if (room == nullptr) {
+      wrong.push_back(include.place() + ": " + include.room + " is no room of the table in this test");
+    } else if (include.quoted && !fs::exists(root() / include.name)) {
+      if (include.room != "agents/bus") {
+        wrong.push_back(include.place() + ": is not in the tree (only the bus has generated headers)");
+      }
+    } else if (include.quoted) {
+      const std::string known = fs::path(include.name).parent_path().generic_string();
+      if (known != include.room && !contains(room->knows, known)) {
+        wrong.push_back(include.place() + ": " + include.room + " may not know " + known);
+      }
+    }
+  }
+  return wrong;
+}
+
+Complaints unused_arrows(const std::vector<Include>& includes) {
+  Complaints wrong;
+  for (const Room& room : rooms()) {
+    for (const std::string& known : room.knows) {
+      const bool used = std::any_of(includes.begin(), includes.end(), [&](const Include& include) {
+        return include.quoted && include.room == room.folder &&
+               fs::path(include.name).parent_path().generic_string() == known;
+      });
+      if (!used) {
+        wrong.push_back(room.folder + " includes nothing of " + known + "; strike it from the table");
+      }
+    }
+  }
+  return wrong;
+}
+
+Complaints misplaced_names(const std::vector<Include>& includes) {
+  Complaints wrong;
+  for (const Include& include : includes) {
+    for (const Reserved& rule : reserved()) {
+      if (include.name.starts_with(rule.include) && !contains(rule.rooms, include.room)) {
+        wrong.push_back(include.place() + ": is reserved to " + rule.rooms.front());
+      }
+    }
+    for (const Ban& ban : bans()) {
+      if (include.room == ban.folder && contains(ban.includes, include.name)) {
+        wrong.push_back(include.place() + ": " + ban.folder + " knows no clock, no file, no thread");
+      }
+    }
+    // They compile for ten seconds each.
+    const bool heavy = include.name.starts_with("CLI/") || include.name == "nlohmann/json.hpp";
+    if (heavy && include.file.ends_with(".hpp")) {
+      wrong.push_back(include.place() + ": stays out of headers");
+    }
+  }
+  return wrong;
+}
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Folders whose CMakeLists.txt name the library.
+std::set<std::string> folders_that_link(const std::string& library) {
+  std::set<std::string> folders;
+  for (const char* top : {"agents", "coordinator", "experiments", "faults", "tests", "tools"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(root() / top)) {
+      if (entry.path().filename() == "CMakeLists.txt" &&
+          std::regex_search(text_of(entry.path()), std::regex(library + "\\b"))) {
+        folders.insert(entry.path().parent_path().lexically_relative(root()).generic_string());
+      }
+    }
+  }
+  return folders;
+}
+
+const Complaints none;
+
+TEST(Arrows, TableRunsDownhill) {
+  EXPECT_EQ(wrong_rows(rooms()), none);
 }
 
 TEST(Arrows, RoomsKnowOnlyWhatTheyMay) {
   const auto includes = all_includes();
   ASSERT_FALSE(includes.empty());
-  for (const Include& include : includes) {
-    const Room* room = find_room(include.room);
-    if (room == nullptr) {
-      ADD_FAILURE() << include.place() << "\n" << include.room << " is no room of the table in this test";
-      continue;
-    }
-    if (!include.quoted) {
-      continue;
-    }
-    if (!fs::exists(root() / include.name)) {
-      EXPECT_EQ(include.room, "agents/bus") << include.place() << "\nis not in the tree (only the bus has generated "
-                                            << "headers); includes start at the tree's root";
-      continue;
-    }
-    const std::string known = fs::path(include.name).parent_path().generic_string();
-    EXPECT_TRUE(known == include.room || contains(room->knows, known)) << include.place() << "\n"
-                                                                       << include.room << " may not know " << known;
-  }
+  EXPECT_EQ(wrong_includes(includes), none);
+}
+
+TEST(Arrows, RoomsMayOnlyKnowWhatTheyUse) {
+  EXPECT_EQ(unused_arrows(all_includes()), none);
 }
 
 TEST(Arrows, ThirdPartyNamesStayInTheirRooms) {
-  for (const Include& include : all_includes()) {
-    for (const Reserved& rule : reserved()) {
-      if (include.name.starts_with(rule.include)) {
-        EXPECT_TRUE(contains(rule.rooms, include.room)) << include.place() << "\nis reserved to " << rule.rooms.front();
-      }
-    }
-    for (const Ban& ban : bans()) {
-      EXPECT_FALSE(include.room == ban.folder && contains(ban.includes, include.name))
-          << include.place() << "\n"
-          << ban.folder << " knows no clock, no file, no thread";
-    }
-  }
+  EXPECT_EQ(misplaced_names(all_includes()), none);
 }
 
-// They compile for ten seconds each.
-TEST(Arrows, HeavyHeadersStayOutOfHeaders) {
-  for (const Include& include : all_includes()) {
-    if (include.file.ends_with(".hpp")) {
-      EXPECT_FALSE(include.name.starts_with("CLI/") || include.name == "nlohmann/json.hpp") << include.place();
-    }
+TEST(Arrows, PlantIsLinkedByAgentsInprocessPlayersAndTests) {
+  EXPECT_EQ(folders_that_link("evbal::region"), (std::set<std::string>{"agents", "experiments/conductor", "tests"}));
+}
+
+TEST(Arrows, PlantedViolationsAreFound) {
+  const std::vector<Include> planted = {
+      {"coordinator/convex/engine.hpp", "coordinator/convex", 1, "agents/world/city.hpp", true},
+      {"coordinator/planning/settings.hpp", "coordinator/planning", 1, "agents/region/region_plant.hpp", true},
+      {"experiments/record/csv.cpp", "experiments/record", 1, "experiments/conductor/run_day.hpp", true},
+      {"experiments/study/store/sweep_file.cpp", "experiments/study/store", 1, "tools/report/report.hpp", true},
+      {"agents/lobby/door.hpp", "agents/lobby", 1, "common/error.hpp", true},
+  };
+  for (const Include& include : planted) {
+    EXPECT_EQ(wrong_includes({include}).size(), 1U) << include.place();
   }
+  const std::vector<Include> misplaced = {
+      {"agents/hosting/roles.cpp", "agents/hosting", 1, "fastdds/dds/core/status/StatusMask.hpp", false},
+      {"coordinator/balancing/arcs.cpp", "coordinator/balancing", 1, "chrono", false},
+      {"experiments/run/twins.hpp", "experiments/run", 1, "nlohmann/json.hpp", false},
+  };
+  for (const Include& include : misplaced) {
+    EXPECT_EQ(misplaced_names({include}).size(), 1U) << include.place();
+  }
+  EXPECT_EQ(wrong_rows({{"common", {"agents"}}, {"agents", {}}}).size(), 1U);
+  EXPECT_FALSE(unused_arrows({}).empty());
 }
 
 }  // namespace

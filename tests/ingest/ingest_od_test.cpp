@@ -1,6 +1,6 @@
 #include "tools/ingest/ingest_od.hpp"
 
-#include "agents/city/synthetic.hpp"
+#include "agents/world/synthetic.hpp"
 #include "common/error.hpp"
 #include "tests/folder.hpp"
 #include "tools/ingest/course.hpp"

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "agents/city/synthetic.hpp"
 #include "agents/protocol/messages.hpp"
-#include "agents/region/world.hpp"
+#include "agents/world/synthetic.hpp"
+#include "agents/world/world.hpp"
 #include "common/random.hpp"
 
 #include <rapidcheck.h>

@@ -1,6 +1,6 @@
-#include "coordinator/balancing/engine.hpp"
 #include "coordinator/balancing/formulation.hpp"
-#include "coordinator/balancing/linear_relaxation.hpp"
+#include "coordinator/convex/engine.hpp"
+#include "coordinator/convex/linear_relaxation.hpp"
 #include "tools/bench/measure.hpp"
 #include "tools/samples/random_planning_data.hpp"
 #include "tools/verify/inner_problem.hpp"
@@ -19,7 +19,7 @@ namespace evbal {
 namespace {
 
 constexpr int limit = 300;  // seconds of processor
-const Switches robust = {.demand = Belief::worst_case, .supply = Belief::worst_case};
+const FormulationOptions robust = {.demand = Uncertainty::worst_case, .supply = Uncertainty::worst_case};
 
 PlanningData city(int regions, int tau) {
   return random_planning_data(1, {.regions = regions, .tau = tau, .rank = 3, .out_degree = 12});

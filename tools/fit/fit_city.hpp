@@ -1,6 +1,6 @@
 #pragma once
 
-#include "agents/city/city.hpp"
+#include "agents/world/city.hpp"
 #include "coordinator/planning/city_model.hpp"
 #include "tools/fit/series_fit.hpp"
 

@@ -122,7 +122,7 @@ void print_alarm(const char* series, const SeriesFit& fit) {
       {{"training", &fit.training}, {"test", &fit.test}}};
   for (const auto& [name, days] : both) {
     const auto exceeded = [alarm](double sum, const HeldOutDay& day) {
-      return sum + static_cast<double>((day.surprise.array() > alarm).count());
+      return sum + static_cast<double>((day.normalised_innovation.array() > alarm).count());
     };
     const double times = std::accumulate(days->begin(), days->end(), 0.0, exceeded);
     std::printf(" %.1f regions a %s day", days->empty() ? 0.0 : times / static_cast<double>(days->size()), name);

@@ -1,6 +1,6 @@
 #include "tools/fit/training_day.hpp"
 
-#include "coordinator/planning/coordinator.hpp"
+#include "coordinator/planning/receding_horizon_planner.hpp"
 #include "experiments/conductor/inproc_players.hpp"
 #include "experiments/conductor/run_day.hpp"
 
@@ -111,7 +111,7 @@ std::size_t period_at(const std::vector<int>& starts, int minute) {
 
 TrainingDay play_training_day(const World& world, const CityModel& model, const PlanningSettings& settings,
                               const std::vector<int>& period_starts) {
-  Coordinator coordinator(world.city, world.clock, world.day.date, settings, model);
+  RecedingHorizonPlanner coordinator(world.city, world.clock, world.day.date, settings, model);
   InprocPlayers players(
       world, [&](const Tick& tick, const auto& reports) { return coordinator.plan(tick, reports); },
       [](int tick) { return Faults{.tick = tick, .effects = {}, .origin = {}}; });

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "agents/region/world.hpp"
+#include "agents/world/world.hpp"
 #include "coordinator/planning/city_model.hpp"
 #include "coordinator/planning/settings.hpp"
 #include "tools/fit/transition_counts.hpp"

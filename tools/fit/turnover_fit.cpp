@@ -1,6 +1,6 @@
 #include "tools/fit/turnover_fit.hpp"
 
-#include "coordinator/balancing/discrete_law.hpp"
+#include "coordinator/balancing/discrete_distribution.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include "tools/gps/ingest_gps.hpp"
 
-#include "agents/city/regions_file.hpp"
-#include "agents/city/table.hpp"
+#include "agents/world/pack_table.hpp"
+#include "agents/world/regions_file.hpp"
 #include "tools/gps/track.hpp"
 #include "tools/gps/transition_table.hpp"
 

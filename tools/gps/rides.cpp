@@ -1,6 +1,6 @@
 #include "tools/gps/rides.hpp"
 
-#include "agents/city/geometry.hpp"
+#include "agents/world/geometry.hpp"
 
 #include <cmath>
 #include <numbers>

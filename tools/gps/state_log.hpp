@@ -1,6 +1,6 @@
 #pragma once
 
-#include "agents/city/geometry.hpp"
+#include "agents/world/geometry.hpp"
 #include "tools/fit/transition_counts.hpp"
 #include "tools/gps/charging_stops.hpp"
 #include "tools/gps/rides.hpp"

@@ -1,7 +1,7 @@
 #include "tools/gps/transition_table.hpp"
 
-#include "agents/city/pack_text.hpp"
-#include "agents/city/table.hpp"
+#include "agents/world/pack_table.hpp"
+#include "agents/world/pack_text.hpp"
 
 #include <array>
 #include <numeric>

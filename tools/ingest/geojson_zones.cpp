@@ -1,7 +1,7 @@
-#include "agents/city/table.hpp"
+#include "agents/world/pack_table.hpp"
 #include "common/error.hpp"
 #include "tools/ingest/read_zones.hpp"
-#include "tools/records/lines.hpp"
+#include "tools/records/text_lines.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,8 +1,8 @@
 #include "tools/ingest/ingest_od.hpp"
 
-#include "agents/city/factors.hpp"
-#include "agents/city/geometry.hpp"
-#include "agents/city/table.hpp"
+#include "agents/world/factors.hpp"
+#include "agents/world/geometry.hpp"
+#include "agents/world/pack_table.hpp"
 #include "common/error.hpp"
 #include "tools/ingest/course.hpp"
 #include "tools/ingest/ingest_partition.hpp"

@@ -1,7 +1,7 @@
 #include "tools/ingest/ingest_stations.hpp"
 
-#include "agents/city/geometry.hpp"
-#include "agents/city/table.hpp"
+#include "agents/world/geometry.hpp"
+#include "agents/world/pack_table.hpp"
 
 #include <algorithm>
 #include <cmath>

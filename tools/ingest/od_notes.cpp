@@ -1,6 +1,6 @@
 #include "tools/ingest/od_notes.hpp"
 
-#include "agents/city/pack_keys.hpp"
+#include "agents/world/pack_keys.hpp"
 
 namespace evbal {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "agents/city/city.hpp"
+#include "agents/world/city.hpp"
 #include "tools/ingest/ingest_stations.hpp"
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 #include "tools/ingest/sessions.hpp"
 
-#include "agents/city/table.hpp"
-#include "tools/records/lines.hpp"
+#include "agents/world/pack_table.hpp"
+#include "tools/records/text_lines.hpp"
 
 #include <algorithm>
 #include <cassert>

@@ -1,4 +1,4 @@
-#include "agents/city/table.hpp"
+#include "agents/world/pack_table.hpp"
 #include "common/error.hpp"
 #include "common/text_of_file.hpp"
 #include "tools/ingest/read_zones.hpp"

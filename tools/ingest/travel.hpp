@@ -1,6 +1,6 @@
 #pragma once
 
-#include "agents/city/geometry.hpp"
+#include "agents/world/geometry.hpp"
 #include "tools/ingest/trips.hpp"
 
 #include <Eigen/Core>

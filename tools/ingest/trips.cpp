@@ -1,9 +1,9 @@
 #include "tools/ingest/trips.hpp"
 
-#include "agents/city/geometry.hpp"
-#include "agents/city/table.hpp"
+#include "agents/world/geometry.hpp"
+#include "agents/world/pack_table.hpp"
 #include "tools/ingest/zone_places.hpp"
-#include "tools/records/lines.hpp"
+#include "tools/records/text_lines.hpp"
 
 #include <algorithm>
 #include <chrono>

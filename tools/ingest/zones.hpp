@@ -1,6 +1,6 @@
 #pragma once
 
-#include "agents/city/geometry.hpp"
+#include "agents/world/geometry.hpp"
 
 #include <compare>
 #include <filesystem>

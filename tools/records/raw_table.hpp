@@ -1,7 +1,7 @@
 #pragma once
 
 #include "common/yaml.hpp"
-#include "tools/records/lines.hpp"
+#include "tools/records/text_lines.hpp"
 
 #include <filesystem>
 #include <optional>

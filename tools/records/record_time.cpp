@@ -1,6 +1,6 @@
 #include "tools/records/record_time.hpp"
 
-#include "agents/city/table.hpp"
+#include "agents/world/pack_table.hpp"
 #include "tools/records/raw_table.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "experiments/sweep/sweep_origin.hpp"
+#include "experiments/study/store/sweep_origin.hpp"
 #include "tools/report/sweep_summary.hpp"
 
 #include <nlohmann/json_fwd.hpp>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "experiments/metrics/intervals.hpp"
-#include "experiments/sweep/comparison.hpp"
-#include "experiments/sweep/finished_steps.hpp"
-#include "experiments/sweep/sweep_file.hpp"
+#include "experiments/study/statistics/comparison.hpp"
+#include "experiments/study/statistics/intervals.hpp"
+#include "experiments/study/store/finished_steps.hpp"
+#include "experiments/study/store/sweep_file.hpp"
 
 #include <map>
 #include <string>

@@ -1,6 +1,6 @@
 #include "tools/verify/inner_problem.hpp"
 
-#include "coordinator/balancing/program.hpp"
+#include "coordinator/convex/convex_program.hpp"
 
 #include <Eigen/Cholesky>
 

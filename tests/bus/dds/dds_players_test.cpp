@@ -1,6 +1,6 @@
 #include "experiments/conductor/dds_players.hpp"
 
-#include "agents/bus/process.hpp"
+#include "agents/hosting/process.hpp"
 #include "agents/protocol/fingerprint.hpp"
 #include "common/error.hpp"
 #include "tests/bus/dds/fake_answers.hpp"

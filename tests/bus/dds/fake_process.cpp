@@ -1,7 +1,7 @@
 // Stands in for evbal-agent, evbal-coordinator and evbal-faults, as its name tells it, without plant or solver.
 
-#include "agents/bus/process.hpp"
-#include "agents/bus/roles.hpp"
+#include "agents/hosting/process.hpp"
+#include "agents/hosting/roles.hpp"
 #include "tests/bus/dds/fake_answers.hpp"
 
 #include <csignal>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "agents/protocol/fingerprint.hpp"
-#include "coordinator/planning/coordinator.hpp"
+#include "coordinator/planning/receding_horizon_planner.hpp"
 #include "experiments/conductor/dds_players.hpp"
 #include "experiments/conductor/inproc_players.hpp"
 #include "experiments/conductor/run_day.hpp"
@@ -99,7 +99,7 @@ class ToyDay : public testing::Test {
 
   std::string digest_in_process(int regions_per_process = 1) {
     const World& world = scenario_.world;
-    Coordinator coordinator(world.city, world.clock, world.day.date, scenario_.planning, model_);
+    RecedingHorizonPlanner coordinator(world.city, world.clock, world.day.date, scenario_.planning, model_);
     InprocPlayers players(
         world, [&](const Tick& tick, const auto& reports) { return coordinator.plan(tick, reports); },
         [&](int tick) { return faults_at(scenario_.schedule, world.clock, tick); }, regions_per_process);

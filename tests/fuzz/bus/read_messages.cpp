@@ -3,10 +3,10 @@
 
 #include "agents/bus/cdr_walk.hpp"
 #include "agents/bus/wire.hpp"
-#include "agents/city/synthetic.hpp"
 #include "agents/protocol/message_check.hpp"
-#include "agents/region/draws.hpp"
 #include "agents/region/region_plant.hpp"
+#include "agents/world/draws.hpp"
+#include "agents/world/synthetic.hpp"
 #include "common/error.hpp"
 #include "coordinator/planning/announced.hpp"
 #include "coordinator/planning/report_check.hpp"

@@ -1,8 +1,8 @@
 // What libFuzzer calls: any bytes as records of each kind. A reader takes them or throws Error; everything else is
 // found.
 
-#include "agents/city/factors.hpp"
-#include "agents/city/regions_file.hpp"
+#include "agents/world/factors.hpp"
+#include "agents/world/regions_file.hpp"
 #include "common/error.hpp"
 #include "tools/gps/ingest_gps.hpp"
 #include "tools/ingest/ingest_partition.hpp"

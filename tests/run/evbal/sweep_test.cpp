@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string small = EVBAL_SOURCE_DIR "/experiments/sweep-small.yaml";
+const std::string small = EVBAL_SOURCE_DIR "/experiments/studies/sweep-small.yaml";
 
 long lines_of(const std::string& text) {
   return std::count(text.begin(), text.end(), '\n');

@@ -1,0 +1,84 @@
+#include "agents/hosting/process.hpp"
+
+#include "common/error.hpp"
+#include "common/pin.hpp"
+
+#include <CLI/CLI.hpp>
+#include <sys/prctl.h>
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+#include <cstdlib>
+#include <iostream>
+#include <thread>
+
+namespace evbal {
+namespace {
+
+/// Ends this process with its conductor, at any moment: what must last is written before it is said.
+void end_with_conductor() {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // also reaches a process that is stopped
+  std::thread([] {
+    std::array<char, 64> ignored{};
+    while (read(STDIN_FILENO, ignored.data(), ignored.size()) > 0) {
+    }
+    _exit(EXIT_SUCCESS);
+  }).detach();
+}
+
+void add_options(CLI::App& app, ProcessOptions& options) {
+  app.add_option("--name", options.name, "Name of this process in the run")->required();
+  app.add_option("--run", options.address.run, "Id of the run")->required();
+  app.add_option("--domain", options.address.domain, "DDS domain of the run")->required();
+  app.add_option("--participant", options.address.participant, "This process's number in the domain")->required();
+  app.add_option("--participants", options.address.participants, "Processes of the run")->required();
+  app.add_flag("--apart", options.address.apart, "Each agent is on a host of its own");
+  app.add_option("--scenario", options.scenario, "The run's scenario.resolved.yaml")->required();
+  app.add_option("--journal", options.journal, "What the process must know if it is started again")->required();
+  app.add_option("--first-region", options.first_region, "First of the regions that an agent hosts");
+  app.add_option("--last-region", options.last_region, "Last of them");
+}
+
+}  // namespace
+
+std::vector<std::string> arguments(const ProcessOptions& options) {
+  std::vector<std::string> words = {"--name",         options.name,
+                                    "--run",          options.address.run,
+                                    "--domain",       std::to_string(options.address.domain),
+                                    "--participant",  std::to_string(options.address.participant),
+                                    "--participants", std::to_string(options.address.participants),
+                                    "--scenario",     options.scenario.string(),
+                                    "--journal",      options.journal.string(),
+                                    "--first-region", std::to_string(options.first_region),
+                                    "--last-region",  std::to_string(options.last_region)};
+  if (options.address.apart) {
+    words.emplace_back("--apart");
+  }
+  return words;
+}
+
+int run_process(int argc, char** argv, const std::string& description,
+                const std::function<void(const ProcessOptions&, Participant&)>& body) {
+  pin_arithmetic(argv);
+  ProcessOptions options;
+  CLI::App app(description);
+  add_options(app, options);
+  try {
+    app.parse(argc, argv);
+    end_with_conductor();
+    Participant participant(options.address, options.name);
+    body(options, participant);
+    return static_cast<int>(ExitStatus::ok);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? static_cast<int>(ExitStatus::ok) : static_cast<int>(ExitStatus::bad_input);
+  } catch (const Error& error) {
+    std::cerr << error.what() << '\n';
+    return static_cast<int>(error.status());
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
+    return static_cast<int>(ExitStatus::run_failed);
+  }
+}
+
+}  // namespace evbal

@@ -1,0 +1,217 @@
+#include "agents/hosting/roles.hpp"
+
+#include "agents/hosting/journal.hpp"
+#include "agents/hosting/journal_entries.hpp"
+#include "agents/protocol/origin.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <map>
+#include <thread>
+
+namespace evbal {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto nap = 1000ms;  // between looks at the clock while nothing comes
+constexpr auto glance = 2ms;  // between looks at who is connected
+
+bool attended(const Tick& tick) {
+  return !tick.unattended;
+}
+
+bool contains(const std::vector<std::int32_t>& regions, int region) {
+  return std::find(regions.begin(), regions.end(), region) != regions.end();
+}
+
+/// What an agent says in a tick.
+struct Answers {
+  std::vector<Report> reports;
+  std::vector<Departures> departures;
+};
+
+/// What each region says, in turn, with its origin.
+template <class Message>
+std::vector<Message> ask(const std::vector<HostedRegion>& regions,
+                         const std::function<Message(const HostedRegion&)>& question) {
+  std::vector<Message> answers;
+  answers.reserve(regions.size());
+  for (const auto& region : regions) {
+    answers.push_back(with_origin([&] { return question(region); }));
+  }
+  return answers;
+}
+
+void begin(const std::vector<HostedRegion>& regions, const Tick& tick) {
+  for (const auto& region : regions) {
+    region.begin(tick);
+  }
+}
+
+std::vector<Report> ask_reports(const std::vector<HostedRegion>& regions) {
+  return ask<Report>(regions, [](const auto& region) { return region.report(); });
+}
+
+std::vector<Departures> ask_departures(const std::vector<HostedRegion>& regions, const AgentEntry& told) {
+  const Plan* plan = told.plan.empty() ? nullptr : &told.plan.front();
+  return ask<Departures>(regions, [&](const auto& region) { return region.live(plan); });
+}
+
+/// Whether a plan will come for any of the regions [first, last].
+bool waits_for_plan(const Tick& tick, int first, int last) {
+  const auto planned = [&](int region) {
+    return first <= region && region <= last && !contains(tick.unplanned, region);
+  };
+  return tick.plan_due && !tick.unattended && std::any_of(tick.due.begin(), tick.due.end(), planned);
+}
+
+Answers live_again(const std::vector<HostedRegion>& regions, const AgentEntry& told) {
+  Answers said;
+  begin(regions, told.tick);
+  if (told.tick.plan_due) {
+    said.reports = ask_reports(regions);
+  }
+  if (!attended(told.tick)) {
+    said.reports.clear();
+  }
+  said.departures = ask_departures(regions, told);
+  return said;
+}
+
+template <class Connected>
+void say_hello(Participant& participant, const std::string& name, Connected connected) {
+  Writer<Hello> hello(participant);
+  while (hello.readers() == 0 || !connected()) {
+    std::this_thread::sleep_for(glance);
+  }
+  hello.write({.name = name, .process_id = getpid()});
+}
+
+/// Waits for the newest tick after `last` that `concerns` the process.
+template <class Concerns>
+Tick next_tick(Reader<Tick>& ticks, int last, Concerns concerns) {
+  for (;;) {
+    auto come = ticks.take();
+    if (!come.empty() && come.back().message.tick > last && concerns(come.back().message)) {
+      return std::move(come.back().message);
+    }
+    ticks.wait(nap);
+  }
+}
+
+Plan plan_of(Reader<Plan>& plans, int tick) {
+  for (;;) {
+    auto come = plans.take();
+    if (!come.empty() && come.back().message.tick == tick) {
+      return std::move(come.back().message);
+    }
+    plans.wait(nap);
+  }
+}
+
+std::vector<Report> reports_of(Reader<std::vector<Report>>& reader, const Tick& tick) {
+  std::map<int, Report> found;
+  const auto missing = [&](int region) { return !found.contains(region) && !contains(tick.unheard, region); };
+  while (std::any_of(tick.due.begin(), tick.due.end(), missing)) {
+    for (auto& batch : reader.take()) {
+      for (auto& report : batch.message) {
+        if (report.tick == tick.tick && missing(report.region)) {
+          found.emplace(report.region, std::move(report));
+        }
+      }
+    }
+    if (std::any_of(tick.due.begin(), tick.due.end(), missing)) {
+      reader.wait(nap);
+    }
+  }
+  std::vector<Report> reports;
+  reports.reserve(found.size());
+  for (auto& [region, report] : found) {
+    reports.push_back(std::move(report));
+  }
+  return reports;
+}
+
+}  // namespace
+
+void serve_agent(Participant& participant, const ProcessOptions& options, const std::vector<HostedRegion>& regions) {
+  Journal journal(options.journal);
+  Answers said;
+  int last = -1;
+  for (const auto& bytes : journal.entries()) {
+    const auto told = from_bytes<AgentEntry>(bytes);
+    said = live_again(regions, told);
+    last = told.tick.tick;
+  }
+  Reader<Tick> ticks(participant);
+  Reader<Plan> plans(participant);
+  Writer<std::vector<Report>> report_writer(participant);
+  Writer<std::vector<Departures>> departure_writer(participant);
+  say_hello(participant, options.name,
+            [&] { return ticks.writers() > 0 && report_writer.readers() > 0 && departure_writer.readers() > 0; });
+  if (last >= 0) {
+    if (!said.reports.empty()) {
+      report_writer.write(said.reports);
+    }
+    departure_writer.write(said.departures);
+  }
+  const int first = options.first_region;
+  const auto due = [&](const Tick& tick) { return contains(tick.due, first); };
+  for (;;) {
+    AgentEntry told{.tick = for_regions(next_tick(ticks, last, due), first, options.last_region), .plan = {}};
+    last = told.tick.tick;
+    begin(regions, told.tick);
+    if (told.tick.plan_due) {
+      const auto reports = ask_reports(regions);
+      if (attended(told.tick)) {
+        report_writer.write(reports);
+      }
+    }
+    if (waits_for_plan(told.tick, first, options.last_region)) {
+      told.plan.push_back(for_regions(plan_of(plans, last), first, options.last_region));
+    }
+    journal.append(to_bytes(told));
+    departure_writer.write(ask_departures(regions, told));
+  }
+}
+
+void serve_coordinator(Participant& participant, const ProcessOptions& options, const Planner& planner) {
+  Journal journal(options.journal);
+  CoordinatorEntry last;
+  last.tick.tick = -1;
+  for (const auto& bytes : journal.entries()) {
+    last = from_bytes<CoordinatorEntry>(bytes);
+    planner.recall(last.tick, last.reports, last.memory);
+  }
+  Reader<Tick> ticks(participant);
+  Reader<std::vector<Report>> reports(participant);
+  Writer<Plan> plans(participant);
+  say_hello(participant, options.name, [&] { return ticks.writers() > 0 && plans.readers() > 0; });
+  if (last.tick.tick >= 0) {
+    plans.write(last.plan);
+  }
+  for (;;) {
+    last.tick = next_tick(ticks, last.tick.tick, attended);
+    if (last.tick.plan_due) {
+      last.reports = reports_of(reports, last.tick);
+      last.plan = with_origin([&] { return planner.plan(last.tick, last.reports); });
+      last.memory = planner.memory();
+      journal.append(to_bytes(last));
+      plans.write(last.plan);
+    }
+  }
+}
+
+void serve_injector(Participant& participant, const ProcessOptions& options,
+                    const std::function<Faults(int tick)>& faults_of) {
+  Reader<Tick> ticks(participant);
+  Writer<Faults> writer(participant);
+  say_hello(participant, options.name, [&] { return ticks.writers() > 0 && writer.readers() > 0; });
+  for (int tick = -1;; tick = next_tick(ticks, tick, attended).tick) {
+    writer.write(with_origin([&] { return faults_of(tick + 1); }));
+  }
+}
+
+}  // namespace evbal

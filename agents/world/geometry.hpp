@@ -1,0 +1,65 @@
+#pragma once
+
+#include "agents/world/city.hpp"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace evbal {
+
+/// Metres east and north of a LocalFrame's origin.
+struct LocalPoint {
+  double east = 0.0;
+  double north = 0.0;
+};
+
+/// Metres between two places.
+double distance(LocalPoint a, LocalPoint b);
+
+/// The plane that touches the WGS84 ellipsoid at `origin` (its east-north-up frame without the up): true to 1e-4 within
+/// 60 km.
+class LocalFrame {
+ public:
+  explicit LocalFrame(LatLon origin);
+
+  LocalPoint local(LatLon point) const;
+
+  /// The point on the ellipsoid that local() takes to `place`.
+  LatLon global(LocalPoint place) const;
+
+ private:
+  Eigen::Vector3d origin_;  ///< earth-centred
+  Eigen::Matrix3d axes_;    ///< columns east, north, up
+};
+
+using Outline = std::vector<std::vector<LatLon>>;  ///< rings, as in Region
+
+/// Finds the outline that a point lies in.
+class OutlineMap {
+ public:
+  explicit OutlineMap(std::span<const Outline> outlines);
+  ~OutlineMap();
+  OutlineMap(OutlineMap&&) noexcept;
+  OutlineMap& operator=(OutlineMap&&) noexcept;
+
+  /// The outline that contains the point, if any does; the smallest of several (one may lie in a hole of another).
+  std::optional<int> containing(LatLon point) const;
+
+  /// The outline that contains the point, else the one with the nearest edge; and how many metres away it is.
+  struct Nearest {
+    int outline = 0;
+    double metres = 0.0;
+  };
+  Nearest nearest(LatLon point) const;
+
+ private:
+  struct Rings;
+  std::unique_ptr<const Rings> rings_;
+};
+
+/// Outlines by region.
+std::vector<Outline> outlines_of(const std::vector<Region>& regions);
+
+}  // namespace evbal

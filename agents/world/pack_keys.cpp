@@ -1,0 +1,100 @@
+#include "agents/world/pack_keys.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <tuple>
+
+namespace evbal {
+namespace {
+
+/// [low, high], ascending, each read by `read`.
+template <class Read>
+std::pair<double, double> read_range(const YamlValue& value, Read read) {
+  const auto items = value.items();
+  if (items.size() != 2) {
+    throw value.error("expected two numbers, [low, high]");
+  }
+  const std::pair<double, double> range(read(items[0]), read(items[1]));
+  if (range.first > range.second) {
+    throw value.error("must ascend: [low, high]");
+  }
+  return range;
+}
+
+std::string read_date(const YamlValue& value) {
+  std::string date = value.text();
+  const bool shaped = date.size() == 10 && date[4] == '-' && date[7] == '-' &&
+                      std::count_if(date.begin(), date.end(), [](char c) { return c >= '0' && c <= '9'; }) == 8;
+  if (!shaped) {
+    throw value.error("`" + date + "` is no date; write it like 2008-06-03");
+  }
+  return date;
+}
+
+std::vector<std::string> read_dates(const YamlValue& value) {
+  std::vector<std::string> dates;
+  for (const auto& item : value.items()) {
+    dates.push_back(read_date(item));
+    if (dates.size() > 1 && dates.back() <= dates[dates.size() - 2]) {
+      throw item.error("`" + dates.back() + "` must come after the date before it");
+    }
+  }
+  return dates;
+}
+
+}  // namespace
+
+void read_clock(YamlMap& map, City& city) {
+  city.day_start = map.require("day_start").time_of_day();
+  const YamlValue step = map.require("step");
+  city.step_minutes = step.whole_minutes();
+  if (city.day_start >= 24 * 60 || (24 * 60 - city.day_start) % city.step_minutes != 0) {
+    throw step.error("step must divide the time from day_start to midnight");
+  }
+}
+
+void read_days(const YamlValue& value, City& city) {
+  YamlMap map(value);
+  city.train_days = read_dates(map.require("train"));
+  city.test_days = read_dates(map.require("test"));
+  const YamlValue holidays = map.require("holidays");
+  city.holidays = read_dates(holidays);
+  map.finish();
+  std::merge(city.train_days.begin(), city.train_days.end(), city.test_days.begin(), city.test_days.end(),
+             std::back_inserter(city.days));
+  const auto twice = std::adjacent_find(city.days.begin(), city.days.end());
+  if (twice != city.days.end()) {
+    throw value.error("`" + *twice + "` is a day for training and for testing; choose one");
+  }
+  if (city.days.empty()) {
+    throw value.error("a city needs at least one day");
+  }
+  for (const auto& date : city.holidays) {
+    if (!std::binary_search(city.days.begin(), city.days.end(), date)) {
+      throw holidays.error("`" + date + "` is not on record");
+    }
+  }
+}
+
+FleetAssumption read_fleet(const YamlValue& value) {
+  YamlMap map(value);
+  FleetAssumption fleet;
+  fleet.vehicles = map.require("vehicles").integer(0, 1'000'000);
+  fleet.battery_kwh = map.require("battery_kwh").number(1.0, 1000.0);
+  fleet.km_per_kwh = map.require("km_per_kwh").number(0.1, 100.0);
+  std::tie(fleet.initial_charge_low, fleet.initial_charge_high) =
+      read_range(map.require("initial_charge"), [](const YamlValue& share) { return share.number(0.0, 1.0); });
+  map.finish();
+  return fleet;
+}
+
+PassengerAssumption read_passengers(const YamlValue& value) {
+  YamlMap map(value);
+  PassengerAssumption passengers;
+  std::tie(passengers.patience_low, passengers.patience_high) =
+      read_range(map.require("patience"), [](const YamlValue& minutes) { return minutes.duration(); });
+  map.finish();
+  return passengers;
+}
+
+}  // namespace evbal

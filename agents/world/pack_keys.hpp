@@ -1,0 +1,26 @@
+#pragma once
+
+#include "agents/world/city.hpp"
+#include "common/yaml.hpp"
+
+namespace evbal {
+
+/// Keys of city.yaml that tools which make packs read as well (docs/city-packs.md). All throw Error{bad_input} with
+/// file and line.
+
+/// `day_start` and `step`, into `city`.
+void read_clock(YamlMap& map, City& city);
+
+/// The map of `days`, into `city`.
+void read_days(const YamlValue& value, City& city);
+
+/// The map of `fleet`.
+FleetAssumption read_fleet(const YamlValue& value);
+
+/// The map of `passengers`.
+PassengerAssumption read_passengers(const YamlValue& value);
+
+/// The list of `stations`, whose regions are named as in `regions`.
+std::vector<Station> read_stations(const YamlValue& value, const std::vector<Region>& regions);
+
+}  // namespace evbal

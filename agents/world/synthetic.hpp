@@ -1,0 +1,35 @@
+#pragma once
+
+#include "agents/world/city.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace evbal {
+
+/// What a generated city shall be like.
+struct SyntheticOptions {
+  std::string name = "toy-5";
+  int regions = 5;      ///< >= 1, about 3 km wide each
+  int train_days = 10;  ///< from Monday 2024-01-01 on; at least one day in all
+  int test_days = 2;    ///< follow the training days
+  std::uint64_t seed = 1;
+  double trips_per_day = 2100.0;  ///< mean over days
+  int vehicles = 60;
+  double battery_kwh = 20.0;
+  int stations = 2;  ///< 0 .. regions, each in a region of its own
+  int points = 4;    ///< of all stations, >= stations
+};
+
+struct SyntheticCity {
+  City city;
+  std::vector<DemandDay> days;
+};
+
+/// A city on a jittered grid. Trips lead from home to work regions in the morning and back in the evening, fewer to
+/// far regions; days and regions vary log-normally, counts are Poisson. Equal options give an equal city. `folder` is
+/// left empty: write_city it, or use it as it is.
+SyntheticCity synthetic_city(const SyntheticOptions& options);
+
+}  // namespace evbal

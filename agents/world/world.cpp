@@ -1,0 +1,325 @@
+#include "agents/world/world.hpp"
+
+#include "common/installation.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdlib>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+namespace evbal {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::vector<std::string> demand_models = {"recorded", "poisson"};
+
+constexpr const char* pack_variable = "EVBAL_CITIES";
+
+/// Where packs go by name, first hit first.
+std::vector<fs::path> pack_folders() {
+  std::vector<fs::path> folders;
+  if (const char* own = std::getenv(pack_variable)) {
+    std::istringstream list(own);
+    for (std::string folder; std::getline(list, folder, ':');) {
+      folders.emplace_back(folder);
+    }
+  }
+  if (auto shipped = shipped_folder("cities"); !shipped.empty()) {
+    folders.push_back(std::move(shipped));
+  }
+  return folders;
+}
+
+std::optional<fs::path> shipped_pack(const std::string& name) {
+  for (const auto& folder : pack_folders()) {
+    if (fs::is_directory(folder / name)) {
+      return folder / name;
+    }
+  }
+  return std::nullopt;
+}
+
+/// The folder of a pack given by name or by path, the latter from `base`; none if there is neither.
+std::optional<fs::path> pack_folder(const std::string& given, const fs::path& base) {
+  const auto shipped = given.find('/') == std::string::npos ? shipped_pack(given) : std::nullopt;
+  return shipped || !fs::is_directory(base / given) ? shipped : base / given;
+}
+
+std::string no_pack(const std::string& given) {
+  return "city `" + given + "` is neither a shipped pack nor a folder";
+}
+
+/// A process reads a pack once: a sweep asks for the same ones for each of its days.
+const City& pack_in(const fs::path& folder) {
+  static std::mutex mutex;
+  static std::map<fs::path, City> packs;
+  const std::scoped_lock lock(mutex);
+  const auto known = packs.find(folder);
+  return known != packs.end() ? known->second : packs.emplace(folder, read_city(folder)).first->second;
+}
+
+City read_pack(const YamlValue& value) {
+  const auto folder = pack_folder(value.text(), fs::path(value.file()).parent_path());
+  if (!folder) {
+    throw value.error(no_pack(value.text()));
+  }
+  return pack_in(*folder);
+}
+
+DemandDay read_day(const YamlValue& value, const City& city) {
+  const std::string date = value.text();
+  if (std::find(city.days.begin(), city.days.end(), date) == city.days.end()) {
+    throw value.error("no demand of `" + date + "` is on record in " + city.name + "; choose a day" +
+                      (city.days.empty() ? "" : " from " + city.days.front() + " to " + city.days.back()) +
+                      did_you_mean(date, city.days));
+  }
+  return read_demand(city, date);
+}
+
+DayClock read_clock(const std::optional<YamlValue>& value, const City& city) {
+  DayClock clock;
+  clock.start = city.day_start;
+  if (!value) {
+    return clock;
+  }
+  YamlMap map(*value);
+  const auto time = [&](const char* key, int& field) {
+    if (const auto given = map.find(key)) {
+      field = given->time_of_day();
+    }
+  };
+  const auto minutes = [&](const char* key, int& field) {
+    if (const auto given = map.find(key)) {
+      field = given->whole_minutes();
+    }
+  };
+  time("start", clock.start);
+  time("end", clock.end);
+  minutes("tick", clock.tick);
+  minutes("step", clock.step);
+  minutes("plan_every", clock.plan_every);
+  map.finish();
+  if (!clock.complaint().empty()) {
+    throw value->error(clock.complaint());
+  }
+  if (clock.start < city.day_start) {
+    throw value->error("the day starts before the city's records do");
+  }
+  return clock;
+}
+
+void override_number(YamlMap& map, const char* key, double low, double high, double& field) {
+  if (const auto given = map.find(key)) {
+    field = given->number(low, high);
+  }
+}
+
+/// A range `[low, high]`, each end read by `read`.
+template <class Read>
+void override_range(YamlMap& map, const char* key, double& low, double& high, Read read) {
+  const auto given = map.find(key);
+  if (!given) {
+    return;
+  }
+  const std::vector<YamlValue> ends = given->items();
+  if (ends.size() != 2 || read(ends[0]) > read(ends[1])) {
+    throw given->error("expected `[low, high]`, low not above high");
+  }
+  low = read(ends[0]);
+  high = read(ends[1]);
+}
+
+void override_fleet(const YamlValue& value, FleetAssumption& fleet) {
+  YamlMap map(value);
+  if (const auto vehicles = map.find("vehicles")) {
+    fleet.vehicles = vehicles->integer(0, 1000000);
+  }
+  override_number(map, "battery_kwh", 0.1, 10000.0, fleet.battery_kwh);
+  override_number(map, "km_per_kwh", 0.01, 1000.0, fleet.km_per_kwh);
+  override_range(map, "initial_charge", fleet.initial_charge_low, fleet.initial_charge_high,
+                 [](const YamlValue& end) { return end.number(0.0, 1.0); });
+  map.finish();
+}
+
+void override_charging(const YamlValue& value, ChargingAssumption& charging) {
+  YamlMap map(value);
+  override_number(map, "power_kw", 0.01, 10000.0, charging.power_kw);
+  if (const auto quantiles = map.find("session_quantiles")) {
+    std::vector<double> minutes;
+    for (const auto& item : quantiles->items()) {
+      minutes.push_back(item.duration());
+    }
+    if (minutes.size() < 2 || !std::is_sorted(minutes.begin(), minutes.end())) {
+      throw quantiles->error("expected at least two durations in ascending order, such as [12min, 40min, 90min]");
+    }
+    charging.session_quantiles = std::move(minutes);
+  }
+  map.finish();
+}
+
+void override_passengers(const YamlValue& value, PassengerAssumption& passengers) {
+  YamlMap map(value);
+  override_range(map, "patience", passengers.patience_low, passengers.patience_high,
+                 [](const YamlValue& end) { return end.duration(); });
+  map.finish();
+}
+
+/// A region by its position or its name.
+int read_region(const YamlValue& value, const City& city) {
+  const std::string given = value.text();
+  if (!given.empty() && given.find_first_not_of("-0123456789") == std::string::npos) {
+    return value.integer(0, city.size() - 1);
+  }
+  std::vector<std::string> names;
+  for (const auto& region : city.regions) {
+    names.push_back(region.name);
+  }
+  return static_cast<int>(value.one_of(names));
+}
+
+/// A station of the scenario. One that the pack has in the same region keeps its place, another stands at the
+/// region's centroid.
+Station read_station(const YamlValue& value, const City& city) {
+  YamlMap map(value);
+  const YamlValue region = map.require("region");
+  Station station;
+  station.name = map.require("name").text();
+  station.region = read_region(region, city);
+  station.points = map.require("points").integer(0, 10000);
+  map.finish();
+  station.place = city.regions[station.region].centroid;
+  for (const auto& known : city.stations) {
+    if (known.name == station.name && known.region == station.region) {
+      station.place = known.place;
+    }
+  }
+  return station;
+}
+
+std::vector<Station> read_stations(const YamlValue& value, const City& city) {
+  std::vector<Station> stations;
+  for (const auto& item : value.items()) {
+    const Station station = read_station(item, city);
+    for (const auto& other : stations) {
+      if (other.name == station.name) {
+        throw item.error("station `" + station.name + "` is given twice");
+      }
+    }
+    stations.push_back(station);
+  }
+  return stations;
+}
+
+/// Shortest plain decimal that reads back as the same number.
+std::string plain(double value) {
+  std::array<char, 512> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed).ptr;
+  return {text.data(), end};
+}
+
+/// As a YAML text in double quotes.
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    result += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
+  }
+  return result + "\"";
+}
+
+std::string pack_name(const City& city) {
+  const std::string name = city.folder.filename().string();
+  const auto shipped = shipped_pack(name);
+  std::error_code none;
+  return shipped && fs::equivalent(*shipped, city.folder, none) ? name : fs::absolute(city.folder).string();
+}
+
+std::string time_text(int minute_of_day) {
+  return quoted(time_of_day({.start = 0}, minute_of_day));
+}
+
+}  // namespace
+
+MessageBounds bounds_of(const World& world) {
+  return {.regions = world.city.size(),
+          .vehicles = world.city.fleet.vehicles,
+          .battery_kwh = world.city.fleet.battery_kwh,
+          .longest_trip = world.city.minutes.maxCoeff(),
+          .clock = world.clock};
+}
+
+void share_pack_folders() {
+  std::string list;
+  for (const auto& folder : pack_folders()) {
+    list += (list.empty() ? "" : ":") + fs::absolute(folder).string();
+  }
+  setenv(pack_variable, list.c_str(), 1);
+}
+
+City find_city(const std::string& name) {
+  const auto folder = pack_folder(name, {});
+  if (!folder) {
+    throw bad_input(no_pack(name));
+  }
+  return read_city(*folder);
+}
+
+World read_world(YamlMap& scenario) {
+  World world;
+  world.city = read_pack(scenario.require("city"));
+  world.day = read_day(scenario.require("day"), world.city);
+  world.seed = scenario.require("seed").seed();
+  if (const auto demand = scenario.find("demand")) {
+    world.demand = static_cast<DemandModel>(demand->one_of(demand_models));
+  }
+  world.clock = read_clock(scenario.find("clock"), world.city);
+  if (const auto fleet = scenario.find("fleet")) {
+    override_fleet(*fleet, world.city.fleet);
+  }
+  if (const auto charging = scenario.find("charging")) {
+    override_charging(*charging, world.city.charging);
+  }
+  if (const auto passengers = scenario.find("passengers")) {
+    override_passengers(*passengers, world.city.passengers);
+  }
+  if (const auto stations = scenario.find("stations")) {
+    world.city.stations = read_stations(*stations, world.city);
+  }
+  return world;
+}
+
+std::string world_yaml(const World& world) {
+  const City& city = world.city;
+  const DayClock& clock = world.clock;
+  std::ostringstream out;
+  out << "city: " << quoted(pack_name(city)) << "\n"
+      << "day: " << quoted(world.day.date) << "\n"
+      << "seed: " << world.seed << "\n"
+      << "demand: " << demand_models[static_cast<std::size_t>(world.demand)] << "\n"
+      << "clock: {start: " << time_text(clock.start) << ", end: " << time_text(clock.end) << ", tick: " << clock.tick
+      << "min, step: " << clock.step << "min, plan_every: " << clock.plan_every << "min}\n"
+      << "fleet: {vehicles: " << city.fleet.vehicles << ", battery_kwh: " << plain(city.fleet.battery_kwh)
+      << ", km_per_kwh: " << plain(city.fleet.km_per_kwh) << ", initial_charge: ["
+      << plain(city.fleet.initial_charge_low) << ", " << plain(city.fleet.initial_charge_high) << "]}\n"
+      << "charging: {power_kw: " << plain(city.charging.power_kw) << ", session_quantiles: [";
+  const char* comma = "";
+  for (const double minutes : city.charging.session_quantiles) {
+    out << std::exchange(comma, ", ") << plain(minutes) << "min";
+  }
+  out << "]}\n"
+      << "passengers: {patience: [" << plain(city.passengers.patience_low) << "min, "
+      << plain(city.passengers.patience_high) << "min]}\n"
+      << (city.stations.empty() ? "stations: []\n" : "stations:\n");
+  for (const auto& station : city.stations) {
+    out << "  - {name: " << quoted(station.name) << ", region: " << station.region << ", points: " << station.points
+        << "}\n";
+  }
+  return out.str();
+}
+
+}  // namespace evbal

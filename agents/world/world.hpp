@@ -1,0 +1,46 @@
+#pragma once
+
+#include "agents/protocol/message_check.hpp"
+#include "agents/world/city.hpp"
+#include "common/clock.hpp"
+#include "common/yaml.hpp"
+
+#include <cstdint>
+#include <string>
+
+namespace evbal {
+
+/// How recorded counts become passengers.
+enum class DemandModel {
+  recorded,  ///< as many as on record, minutes drawn within the step
+  poisson,   ///< Poisson around the record
+};
+
+/// Everything that the plants of one run share. Owned by the process; the plants point to it.
+struct World {
+  City city;  ///< with the scenario's overrides applied
+  DemandDay day;
+  DemandModel demand = DemandModel::recorded;
+  DayClock clock;
+  std::uint64_t seed = 0;
+};
+
+/// What bounds the messages of a run in this world.
+MessageBounds bounds_of(const World& world);
+
+/// Has the processes that this one starts look for packs where this one does, wherever their programs are: puts the
+/// folders into EVBAL_CITIES, which lists them with colons. To be called before there are threads.
+void share_pack_folders();
+
+/// The city that a command line names: a shipped pack, else a folder. Throws Error{bad_input}.
+City find_city(const std::string& name);
+
+/// Reads the world's keys of a scenario: city, day, seed, demand, clock, fleet, charging, passengers, stations. `city`
+/// is the name of a shipped pack or a path, relative to the scenario's file; what is given under fleet, charging,
+/// passengers and stations replaces that field of the pack. Throws Error{bad_input} with file, line and reason.
+World read_world(YamlMap& scenario);
+
+/// The same keys as YAML text, every one of them explicit: read_world gives the same world back.
+std::string world_yaml(const World& world);
+
+}  // namespace evbal

@@ -1,0 +1,77 @@
+#include "coordinator/ambiguity/residual_distribution.hpp"
+
+#include <cassert>
+#include <cmath>
+
+namespace evbal {
+namespace {
+
+constexpr double deviation_floor = 0.1;      ///< vehicles, and scaled errors (model, section 5)
+constexpr double certain_deviation = 0.001;  ///< vehicles
+
+/// Rows of `regions` in each of `leads` blocks of `block` rows.
+std::vector<Eigen::Index> rows_of(const std::vector<int>& regions, Eigen::Index block, int leads) {
+  std::vector<Eigen::Index> rows;
+  for (int lead = 0; lead < leads; ++lead) {
+    for (const int region : regions) {
+      rows.push_back(lead * block + region);
+    }
+  }
+  return rows;
+}
+
+}  // namespace
+
+ResidualDistribution fit_residual_law(const Eigen::MatrixXd& residuals, int leads, const std::vector<int>& regions,
+                                      const Bootstrap& bootstrap) {
+  assert(residuals.rows() % leads == 0);
+  const Eigen::Index block = residuals.rows() / leads;
+  ResidualDistribution law{{Eigen::VectorXd::Zero(residuals.rows()), Eigen::MatrixXd(residuals.rows(), 0)}, {}};
+  if (regions.empty()) {
+    law.thresholds.assign(static_cast<std::size_t>(leads), {});
+    return law;
+  }
+  const auto rows = rows_of(regions, block, leads);
+  const Eigen::MatrixXd varying = residuals(rows, Eigen::all);
+  const Covariance fitted = shrunk_covariance(varying, deviation_floor);
+  for (int lead = 0; lead < leads; ++lead) {
+    const auto head = static_cast<Eigen::Index>(regions.size()) * (lead + 1);
+    const Covariance leading{fitted.deviation.head(head), fitted.factors.topRows(head)};
+    law.thresholds.push_back(bootstrap_thresholds(varying.topRows(head), leading, bootstrap).value);
+  }
+  law.covariance.deviation(rows) = fitted.deviation;
+  law.covariance.factors = Eigen::MatrixXd::Zero(residuals.rows(), fitted.factors.cols());
+  law.covariance.factors(rows, Eigen::all) = fitted.factors;
+  return law;
+}
+
+MomentSet moment_set(const ResidualDistribution& law, const Eigen::MatrixXd& mean, const Eigen::MatrixXd& scale) {
+  assert(mean.rows() == scale.rows() && mean.cols() == scale.cols());
+  assert(mean.cols() >= 1 && mean.cols() <= law.leads());
+  const Eigen::VectorXd by = scale.reshaped();
+  const Thresholds& thresholds = law.thresholds[static_cast<std::size_t>(mean.cols() - 1)];
+  MomentSet set;
+  set.mean = mean.reshaped();
+  set.factors = by.asDiagonal() * law.covariance.factors.topRows(by.size());
+  const Eigen::VectorXd floors =
+      (by.array() > 0.0).select(deviation_floor, Eigen::VectorXd::Constant(by.size(), certain_deviation));
+  const Eigen::VectorXd diagonal = by.cwiseProduct(law.covariance.deviation.head(by.size()));
+  const Eigen::VectorXd missing = floors.cwiseAbs2() - set.factors.rowwise().squaredNorm();
+  set.deviation = diagonal.cwiseAbs2().cwiseMax(missing).cwiseMax(certain_deviation * certain_deviation).cwiseSqrt();
+  set.g1 = thresholds.g1;
+  set.g2 = thresholds.g2;
+  return set;
+}
+
+Eigen::VectorXd inflation(const ResidualDistribution& law, const NormalisedInnovation& normalised_innovation) {
+  const Eigen::ArrayXd squared = normalised_innovation.region.array().max(normalised_innovation.city);
+  return (squared > law.alarm).select(squared, 1.0).sqrt();
+}
+
+void widen(MomentSet& set, const Eigen::VectorXd& by) {
+  const Eigen::VectorXd each = by.replicate(set.mean.size() / by.size(), 1);
+  set.deviation = set.deviation.cwiseProduct(each);
+  set.factors = each.asDiagonal() * set.factors;
+}
+
+}  // namespace evbal

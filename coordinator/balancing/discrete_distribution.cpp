@@ -1,0 +1,110 @@
+#include "coordinator/balancing/discrete_distribution.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <deque>
+#include <numeric>
+
+namespace evbal {
+namespace {
+
+// Joins neighbours until each value has at least `least` of the probability; the topmost may have less.
+DiscreteDistribution joined(const std::vector<double>& values, const std::vector<double>& probabilities, double least) {
+  DiscreteDistribution law;
+  double probability = 0.0;
+  double moment = 0.0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    probability += probabilities[i];
+    moment += probabilities[i] * values[i];
+    if (probability >= least || i + 1 == values.size()) {
+      law.values.push_back(moment / probability);
+      law.probabilities.push_back(probability);
+      probability = moment = 0.0;
+    }
+  }
+  return law;
+}
+
+// p(k + 1) / p(k) of a negative binomial.
+double next_ratio(double k, double mean, double variance) {
+  return (mean * mean + k * (variance - mean)) / (variance * (k + 1.0));
+}
+
+}  // namespace
+
+double DiscreteDistribution::mean() const {
+  return std::inner_product(values.begin(), values.end(), probabilities.begin(), 0.0);
+}
+
+DiscreteDistribution certain(double value) {
+  return {{value}, {1.0}};
+}
+
+DiscreteDistribution empirical(std::vector<double> values) {
+  assert(!values.empty());
+  std::ranges::sort(values);
+  DiscreteDistribution law;
+  const double each = 1.0 / static_cast<double>(values.size());
+  for (const double value : values) {
+    if (!law.values.empty() && law.values.back() == value) {
+      law.probabilities.back() += each;
+    } else {
+      law.values.push_back(value);
+      law.probabilities.push_back(each);
+    }
+  }
+  return law;
+}
+
+// From the mean outwards until the rest is negligible.
+DiscreteDistribution negative_binomial(double mean, double variance) {
+  assert(mean >= 0.0);
+  if (mean == 0.0) {
+    return certain(0.0);
+  }
+  constexpr double negligible = 1e-10;
+  constexpr double least = 1.0 / 64.0;
+  const double v = std::max(mean, variance);
+  const auto ratio = [&](double k) { return next_ratio(k, mean, v); };
+  const double middle = std::floor(mean);
+  std::deque<double> weights{1.0};
+  double lowest = middle;
+  while (lowest > 0.0 && weights.front() > negligible) {
+    lowest -= 1.0;
+    weights.push_front(weights.front() / ratio(lowest));
+  }
+  for (double k = middle; weights.back() > negligible; k += 1.0) {
+    weights.push_back(weights.back() * ratio(k));
+  }
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+  std::vector<double> values;
+  std::vector<double> probabilities;
+  for (const double weight : weights) {
+    values.push_back(lowest + static_cast<double>(values.size()));
+    probabilities.push_back(weight / sum);
+  }
+  return joined(values, probabilities, least);
+}
+
+double negative_binomial_at_most(double count, double mean, double variance) {
+  assert(mean > 0.0);
+  const double v = std::max(mean * (1.0 + 1e-9), variance);
+  const double size = mean * mean / (v - mean);
+  double weight = std::exp(size * std::log(mean / v));  // of none
+  double sum = 0.0;
+  for (int k = 0; k <= count; ++k) {
+    sum += weight;
+    weight *= next_ratio(k, mean, v);
+  }
+  return std::min(1.0, sum);
+}
+
+DiscreteDistribution mirrored(DiscreteDistribution law) {
+  std::ranges::reverse(law.values);
+  std::ranges::reverse(law.probabilities);
+  std::ranges::transform(law.values, law.values.begin(), std::negate<>());
+  return law;
+}
+
+}  // namespace evbal

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+namespace evbal {
+
+/// A demand that takes finitely many values.
+struct DiscreteDistribution {
+  std::vector<double> values;         ///< ascending, at least one
+  std::vector<double> probabilities;  ///< > 0, sum 1
+
+  double mean() const;
+};
+
+/// What surely takes one value.
+DiscreteDistribution certain(double value);
+
+/// `values` are equally likely; at least one.
+DiscreteDistribution empirical(std::vector<double> values);
+
+/// Negative binomial with this mean >= 0 and variance, Poisson where the variance is at most the mean. Neighbouring
+/// values of less than a 64th together are joined at their mean: fewer values, the same mean.
+DiscreteDistribution negative_binomial(double mean, double variance);
+
+/// Probability of at most `count` under the same negative binomial, without joining; mean > 0.
+double negative_binomial_at_most(double count, double mean, double variance);
+
+/// The law of  -r.
+DiscreteDistribution mirrored(DiscreteDistribution law);
+
+}  // namespace evbal

@@ -1,0 +1,63 @@
+#include "coordinator/balancing/round_to_vehicles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <span>
+
+namespace evbal {
+namespace {
+
+constexpr std::int64_t unit = 1'000'000;  // millionths of a vehicle
+
+// Amounts in millionths that add up to `most` at most; too much is cut in proportion.
+std::vector<std::int64_t> millionths(std::span<const Flow> flows, std::int64_t most) {
+  std::vector<std::int64_t> amounts;
+  for (const auto& flow : flows) {
+    amounts.push_back(std::llround(flow.amount * static_cast<double>(unit)));
+  }
+  const std::int64_t sum = std::reduce(amounts.begin(), amounts.end());
+  if (sum > most) {
+    const double cut = static_cast<double>(most) / static_cast<double>(sum);
+    std::ranges::transform(amounts, amounts.begin(), [cut](std::int64_t amount) {
+      return static_cast<std::int64_t>(cut * static_cast<double>(amount));
+    });
+  }
+  return amounts;
+}
+
+// Whole vehicles of one origin's flows.
+std::vector<VehicleFlow> whole_row(std::span<const Flow> flows, std::int64_t available) {
+  const auto amounts = millionths(flows, available * unit);
+  std::vector<VehicleFlow> row;
+  std::int64_t sent = 0;
+  for (std::size_t i = 0; i < flows.size(); ++i) {
+    row.push_back({flows[i].from, flows[i].to, static_cast<int>(amounts[i] / unit)});
+    sent += amounts[i] / unit;
+  }
+  const std::int64_t total = (std::reduce(amounts.begin(), amounts.end()) + unit / 2) / unit;
+  std::vector<std::size_t> order(row.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t i) { return amounts[i] % unit; });
+  for (std::size_t rank = 0; sent < total; ++rank, ++sent) {
+    ++row[order[rank]].vehicles;
+  }
+  std::erase_if(row, [](const VehicleFlow& flow) { return flow.vehicles == 0; });
+  return row;
+}
+
+}  // namespace
+
+std::vector<VehicleFlow> round_to_vehicles(const std::vector<Flow>& flows, const Eigen::VectorXi& available) {
+  std::vector<VehicleFlow> whole;
+  for (auto first = flows.begin(); first != flows.end();) {
+    const auto last = std::find_if(first, flows.end(), [&](const Flow& flow) { return flow.from != first->from; });
+    const auto row = whole_row({first, last}, available(first->from));
+    whole.insert(whole.end(), row.begin(), row.end());
+    first = last;
+  }
+  return whole;
+}
+
+}  // namespace evbal

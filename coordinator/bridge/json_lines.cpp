@@ -1,0 +1,177 @@
+#include "coordinator/bridge/json_lines.hpp"
+
+#include "agents/protocol/fields.hpp"
+#include "agents/protocol/words.hpp"
+#include "coordinator/planning/json_reader.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+namespace evbal {
+namespace {
+
+using nlohmann::json;
+
+/// A message's fields as a JSON object.
+class FieldWriter {
+ public:
+  explicit FieldWriter(json& out) : out_(out) {}
+
+  void operator()(const char* /*name*/, const Origin& /*differs between runs*/) {}
+
+  template <class Field>
+  void operator()(const char* name, const Field& field) {
+    out_[name] = value(field);
+  }
+
+ private:
+  template <class Field>
+  static json value(const Field& field) {
+    if constexpr (std::is_enum_v<Field>) {
+      return word(field);
+    } else if constexpr (std::is_arithmetic_v<Field>) {
+      return field;
+    } else {
+      json out = json::object();
+      fields(FieldWriter(out), field);
+      return out;
+    }
+  }
+
+  template <class Item>
+  static json value(const std::vector<Item>& items) {
+    json out = json::array();
+    for (const auto& item : items) {
+      out.push_back(value(item));
+    }
+    return out;
+  }
+
+  json& out_;
+};
+
+/// A move's fields from a JSON object, each within its type.
+class MoveReader {
+ public:
+  explicit MoveReader(JsonObject& in) : in_(in) {}
+
+  void operator()(const char* name, std::int32_t& number) { number = in_.integer(name, 0, most); }
+
+  void operator()(const char* name, Errand& errand) {
+    const std::string text = in_.text(name);
+    const auto* const found = std::ranges::find(errand_words, text);
+    if (found == errand_words.end() || text == word(Errand::passenger)) {
+      throw in_.error(name, "`rebalance` or `charge` is expected, not `" + text + "`");
+    }
+    errand = static_cast<Errand>(found - errand_words.begin());
+  }
+
+ private:
+  static constexpr int most = 1'000'000;
+  JsonObject& in_;
+};
+
+/// Checks moves against the reports, one after another.
+class MoveCheck {
+ public:
+  MoveCheck(const std::vector<Report>& reports, int regions) : regions_(regions) {
+    for (const auto& report : reports) {
+      left_[{Errand::rebalance, report.region}] = report.vacant;
+      left_[{Errand::charge, report.region}] = report.low_battery;
+    }
+  }
+
+  void take(const Move& move, const JsonObject& in) {
+    for (const auto& [key, region] : {std::pair("from", move.from), std::pair("to", move.to)}) {
+      if (region >= regions_) {
+        throw in.error(
+            key, "a region from 0 to " + std::to_string(regions_ - 1) + " is expected, not " + std::to_string(region));
+      }
+    }
+    if (move.from == move.to) {
+      throw in.error("to", "another region than `from` is expected");
+    }
+    int& left = left_[{move.errand, move.from}];
+    if (move.count < 1 || move.count > left) {
+      throw in.error("count", "region " + std::to_string(move.from) + " has " + std::to_string(left) +
+                                  (move.errand == Errand::rebalance ? " vacant" : " low-battery") +
+                                  " vehicles left to send; give 1 at least and no more, not " +
+                                  std::to_string(move.count));
+    }
+    left -= move.count;
+  }
+
+ private:
+  int regions_;
+  std::map<std::pair<Errand, int>, int> left_;  // none where no report came
+};
+
+json rows_of(const Eigen::MatrixXd& matrix) {
+  json rows = json::array();
+  for (const auto& row : matrix.rowwise()) {
+    rows.push_back(std::vector<double>(row.begin(), row.end()));
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::string opening_line(const World& world, const std::string& controller) {
+  const Eigen::VectorXi points = world.city.points();
+  json regions = json::array();
+  for (int i = 0; i < world.city.size(); ++i) {
+    regions.push_back({{"name", world.city.regions[static_cast<std::size_t>(i)].name}, {"points", points(i)}});
+  }
+  const DayClock& clock = world.clock;
+  const json line = {{"controller", controller},
+                     {"city",
+                      {{"name", world.city.name},
+                       {"regions", regions},
+                       {"km", rows_of(world.city.km)},
+                       {"minutes", rows_of(world.city.minutes)}}},
+                     {"clock",
+                      {{"date", world.day.date},
+                       {"start", clock.start},
+                       {"end", clock.end},
+                       {"tick", clock.tick},
+                       {"step", clock.step},
+                       {"plan_every", clock.plan_every}}}};
+  return line.dump();
+}
+
+std::string question_line(int tick, const std::vector<Report>& reports) {
+  json said = json::array();
+  for (const auto& report : reports) {
+    fields(FieldWriter(said.emplace_back(json::object())), report);
+  }
+  return json{{"tick", tick}, {"reports", said}}.dump();
+}
+
+std::vector<Move> read_answer(const std::string& line, const std::string& place, const std::vector<Report>& reports,
+                              int regions) {
+  const json parsed = parse_json(line, place);
+  JsonObject answer(parsed, place, "");
+  MoveCheck check(reports, regions);
+  std::vector<Move> moves;
+  for (JsonObject& object : answer.objects("moves")) {
+    Move& move = moves.emplace_back();
+    fields(MoveReader(object), move);
+    object.finish();
+    check.take(move, object);
+  }
+  answer.finish();
+  const auto key = [](const Move& move) { return std::tuple(move.errand, move.from, move.to); };
+  std::ranges::sort(moves, {}, key);
+  if (const auto twice = std::ranges::adjacent_find(moves, {}, key); twice != moves.end()) {
+    throw answer.error("moves", std::string(word(twice->errand)) + " from " + std::to_string(twice->from) + " to " +
+                                    std::to_string(twice->to) + " is given twice; give it once with the sum");
+  }
+  return moves;
+}
+
+}  // namespace evbal

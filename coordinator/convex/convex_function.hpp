@@ -1,0 +1,33 @@
+#pragma once
+
+#include <memory>
+
+namespace evbal {
+
+/// A convex function of one variable with two derivatives; engines see nothing else of it.
+class ConvexFunction {
+ public:
+  struct Expansion {
+    double value = 0.0;
+    double slope = 0.0;
+    double curvature = 0.0;  ///< >= 0
+  };
+
+  ConvexFunction() = default;
+  ConvexFunction(const ConvexFunction&) = delete;
+  ConvexFunction& operator=(const ConvexFunction&) = delete;
+  virtual ~ConvexFunction() = default;
+
+  /// The function around `at`, which lies within the bounds of the variable that it is used on.
+  virtual Expansion around(double at) const = 0;
+};
+
+using ConvexFunctionPtr = std::shared_ptr<const ConvexFunction>;
+
+/// y -> (y + eps)^(-a) for y >= 0 (model, section 2; paper, [quality_charging_one]); a > 0, eps > 0.
+ConvexFunctionPtr inverse_power(double eps, double a);
+
+/// x -> f(slope x + offset)
+ConvexFunctionPtr of_line(ConvexFunctionPtr f, double slope, double offset);
+
+}  // namespace evbal

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "coordinator/convex/convex_program.hpp"
+
+#include <memory>
+#include <vector>
+
+class ClpSimplex;
+
+namespace evbal {
+
+/// A linear program on its way to Clp:  min constant + cost'x  s.t.  low <= A x <= high,  lower <= x <= upper.
+class LinearProgram {
+ public:
+  /// Starts with the columns of `program`; its rows, curves and norms are left to the caller.
+  explicit LinearProgram(const ConvexProgram& program);
+
+  /// A further column, by its position.
+  int add_column(double lower, double upper, double cost);
+
+  void bound(int column, double lower, double upper);
+  void add_cost(int column, double cost) { cost_[static_cast<std::size_t>(column)] += cost; }
+  void add_constant(double cost) { constant_ += cost; }
+  double cost(int column) const { return cost_[static_cast<std::size_t>(column)]; }
+
+  /// Adds to the row that is being written; end_row() ends it.
+  void add(int column, double coefficient);
+  void end_row(double low, double high = ConvexProgram::infinity);
+
+  int columns() const { return static_cast<int>(cost_.size()); }
+  int rows() const { return static_cast<int>(row_low_.size()); }
+
+  /// This program in Clp, not solved yet.
+  std::shared_ptr<ClpSimplex> load() const;
+
+  /// A lower bound of the optimum from the multipliers that Clp ended with: safe against the tolerances of the simplex
+  /// method.
+  double lower_bound(const ClpSimplex& solved) const;
+
+ private:
+  double constant_ = 0.0;
+  std::vector<double> lower_;
+  std::vector<double> upper_;
+  std::vector<double> cost_;
+  std::vector<int> row_start_ = {0};
+  std::vector<int> entry_column_;
+  std::vector<double> entry_;
+  std::vector<double> row_low_;
+  std::vector<double> row_high_;
+};
+
+/// Simplex iterations of one linear program; the largest city needs a tenth.
+inline constexpr int max_simplex_iterations = 1000000;
+
+}  // namespace evbal

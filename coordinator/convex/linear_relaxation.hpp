@@ -1,0 +1,78 @@
+#pragma once
+
+#include "coordinator/convex/convex_program.hpp"
+#include "coordinator/convex/linear_program.hpp"
+#include "coordinator/convex/tangents.hpp"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace evbal {
+
+/// A ConvexProgram with its curves and norms known only through tangents: a linear program (COIN-OR Clp) whose optimum
+/// is a lower bound of the program's, since a convex function lies above its tangents.
+///
+/// The largest of a curve's tangents is made of straight pieces, one a tangent, whose slopes rise:
+///
+///     of    = lower + sum of parts,         0 <= part_m <= width_m
+///     above = height + value at lower + sum of slope_m part_m,         height >= 0
+///
+/// `above` is written out so wherever it occurs. A tangent is thus a bounded column, which the simplex method passes
+/// without a pivot, and not a row: many cost little more than a few. A norm is the height over its first tangent, which
+/// goes into the cost; each further tangent is a row.
+class LinearRelaxation {
+ public:
+  /// Knows each curve by tangents spread ever wider from its lower end, where it bends most, and each norm by one.
+  /// `program` must outlive this, and has no other bound on what stands above a curve than the curve.
+  explicit LinearRelaxation(const ConvexProgram& program);
+
+  struct Outcome {
+    bool optimal = false;
+    double lower_bound = 0.0;  ///< of the program's optimum
+    Eigen::VectorXd x;         ///< in the program's variables
+  };
+
+  /// Solves what there is by the dual method: the first time from a basis that needs no prices, then from the last
+  /// optimum. More tangents leave its prices as they are, and prices tell of each new piece whether it is full or
+  /// empty.
+  Outcome solve();
+
+  /// Makes the tangents of each curve denser around the slope that the prices of the last optimum ask of it, and adds
+  /// those of all curves and norms at `x`.
+  void refine(const Eigen::VectorXd& x);
+
+ private:
+  struct Curve {
+    const CurveRow* row = nullptr;
+    Tangents tangents;
+    std::vector<Tangents::Piece> pieces = {};  // as they were solved last
+    int first_part = 0;                        // column
+    std::vector<double> basic = {};            // where the tangents of basic pieces touch
+    double slope = -ConvexProgram::infinity;   // that prices ask for
+  };
+
+  struct NormRow {
+    std::size_t norm = 0;
+    Eigen::VectorXd over_first;  // its gradient less that of the first tangent
+  };
+
+  LinearProgram linear_program();
+  void add_columns(LinearProgram& lp);
+  double write(LinearProgram& lp, int variable, double coefficient) const;
+  void start_without_prices(ClpSimplex& clp) const;
+  bool holds_back(ClpSimplex& clp, int row) const;
+  void start_from_prices(ClpSimplex& clp) const;
+  void keep_prices(const ClpSimplex& clp);
+  Eigen::VectorXd point(const ClpSimplex& clp) const;
+  int first_part() const { return program_.variables() + static_cast<int>(first_gradients_.size()); }
+
+  const ConvexProgram& program_;
+  std::vector<Curve> curves_;
+  std::vector<int> curve_above_;                  // by variable: the curve that it stands above, or -1
+  std::vector<Eigen::VectorXd> first_gradients_;  // of the norms
+  std::vector<NormRow> norm_rows_;
+  std::vector<int> basis_;  // Clp's marks of the columns of program and norms, then of the rows
+};
+
+}  // namespace evbal

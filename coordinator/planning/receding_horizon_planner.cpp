@@ -1,0 +1,209 @@
+#include "coordinator/planning/receding_horizon_planner.hpp"
+
+#include "agents/protocol/bytes.hpp"
+#include "common/error.hpp"
+#include "coordinator/ambiguity/gaussian_samples.hpp"
+#include "coordinator/balancing/round_to_vehicles.hpp"
+#include "coordinator/forecast/foreknowledge.hpp"
+#include "coordinator/planning/planning_data.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace evbal {
+namespace {
+
+constexpr int demand_samples = 50;
+
+/// What a coordinator cannot find out again from the reports of the day.
+struct Memory {
+  LadderMemory ladder;
+  std::vector<Move> moves;  ///< of the last plan
+};
+
+template <class Visit>
+void fields(Visit&& visit, Is<Memory> auto& m) {
+  visit("ladder", m.ladder);
+  visit("moves", m.moves);
+}
+
+void check_fit(const City& city, const DayClock& clock, const PlanningSettings& settings, const CityModel& model) {
+  const std::string file = model_file(settings, city).string();
+  const auto refuse = [&](const std::string& what) {
+    throw bad_input(file, 0, what + "; fit a model to this city with `evbal fit`");
+  };
+  if (model.regions() != city.size()) {
+    refuse("the model has " + std::to_string(model.regions()) + " regions, the city " + std::to_string(city.size()));
+  }
+  if (model.step_minutes != clock.step) {
+    refuse("the model has steps of " + std::to_string(model.step_minutes) + " min, the clock of " +
+           std::to_string(clock.step) + " min");
+  }
+  if (model.leads() < settings.balancing.tau) {
+    refuse("the model forecasts " + std::to_string(model.leads()) + " steps, balancing.tau is " +
+           std::to_string(settings.balancing.tau));
+  }
+}
+
+/// A count of the reports that are believed, by region; NaN elsewhere: what was not heard of teaches a forecast
+/// nothing.
+Eigen::VectorXd heard(const std::vector<std::optional<Report>>& good, std::int32_t Report::*field) {
+  Eigen::VectorXd counts(static_cast<Eigen::Index>(good.size()));
+  for (std::size_t i = 0; i < good.size(); ++i) {
+    counts(static_cast<Eigen::Index>(i)) = good[i] ? *good[i].*field : std::numeric_limits<double>::quiet_NaN();
+  }
+  return counts;
+}
+
+/// The engine as the solver's faults leave it.
+EngineSettings under_faults(EngineSettings engine, const std::vector<Effect>& effects) {
+  for (const Effect& effect : effects) {
+    if (effect.type == EffectType::solver_fail) {
+      engine.fails = true;
+    } else if (effect.type == EffectType::solver_starve) {
+      engine.max_iterations = std::min(engine.max_iterations, static_cast<int>(std::lround(effect.magnitude)));
+    }
+  }
+  return engine;
+}
+
+/// A vehicle too few counts as much as a passenger too many.
+void grow(MomentSet& demand, const Eigen::VectorXd& variance) {
+  const Eigen::Index n = variance.size();
+  for (Eigen::Index i = 0; i < demand.deviation.size(); ++i) {
+    const double more = variance(i % n);
+    demand.deviation(i) = more > 0.0 ? std::hypot(demand.deviation(i), std::sqrt(more)) : demand.deviation(i);
+  }
+}
+
+void add_moves(std::vector<Move>& moves, Errand errand, const std::vector<Flow>& flows, const Eigen::VectorXd& have) {
+  for (const VehicleFlow& flow : round_to_vehicles(flows, have.cast<int>())) {
+    moves.push_back({flow.from, flow.to, flow.vehicles, errand});
+  }
+}
+
+}  // namespace
+
+Balancer balancer_of(const PlanningSettings& settings, std::vector<Controller> controllers) {
+  return [parameters = settings.balancing, controllers = std::move(controllers)](
+             const std::string& name, const PlanningData& data, const EngineSettings& engine) {
+    const auto own = std::ranges::find(controllers, name, &Controller::name);
+    return own == controllers.end() ? balance(name, parameters, data, engine) : balance(*own, parameters, data, engine);
+  };
+}
+
+RecedingHorizonPlanner::RecedingHorizonPlanner(const City& city, const DayClock& clock, const std::string& date,
+                                               const PlanningSettings& settings, CityModel model)
+    : RecedingHorizonPlanner(city, clock, date, settings, std::move(model), balancer_of(settings)) {}
+
+RecedingHorizonPlanner::RecedingHorizonPlanner(const City& city, const DayClock& clock, const std::string& date,
+                                               PlanningSettings settings, CityModel model, Balancer balancer)
+    : clock_(clock),
+      settings_(std::move(settings)),
+      model_(std::move(model)),
+      km_(city.km),
+      minutes_(city.minutes),
+      session_quantiles_(city.charging.session_quantiles),
+      has_points_((city.points().array() > 0).cast<double>()),
+      bounds_{city.fleet.vehicles, {}, clock},
+      fleet_(
+          {city.points().cast<double>(), city.minutes, static_cast<double>(clock.step), model_.mean_session_minutes}),
+      told_(announced_demand({}, model_.regions())),
+      ladder_(settings_.controller, std::move(balancer)) {
+  check_fit(city, clock_, settings_, model_);
+  const Eigen::VectorXi points = city.points();
+  bounds_.points.assign(points.begin(), points.end());
+  const DayKind kind = model_.kind(date);
+  const int start = clock_.start - model_.day_start;
+  demand_ = std::make_unique<SeasonalForecaster>(model_.demand.seasonal, kind, start);
+  completions_ = std::make_unique<SeasonalForecaster>(model_.completions.seasonal, kind, start);
+}
+
+void RecedingHorizonPlanner::foresee(const Eigen::MatrixXd& demand_by_tick) {
+  assert(demand_by_tick.rows() == model_.regions() && demand_by_tick.cols() == clock_.ticks());
+  demand_ = std::make_unique<Foreknowledge>(demand_by_tick, clock_.tick, clock_.step);
+}
+
+RecedingHorizonPlanner::Inflation RecedingHorizonPlanner::inflation_at(int minute) const {
+  const Eigen::VectorXd none = Eigen::VectorXd::Ones(model_.regions());
+  return settings_.innovation_test
+             ? Inflation{inflation(model_.demand.errors, demand_->normalised_innovation(minute)),
+                         inflation(model_.completions.errors, completions_->normalised_innovation(minute))}
+             : Inflation{none, none};
+}
+
+PlanningData RecedingHorizonPlanner::data(int minute, const std::vector<Report>& reports, const Inflation& by) const {
+  const int tau = horizon_at(clock_, minute, settings_.balancing.tau);
+  PlanningData data;
+  data.km = km_;
+  data.minutes = minutes_;
+  data.state = fleet_state(reports, minute, clock_.step, tau);
+  data.points = points_ahead(reports, tau);
+  data.demand = moment_set(model_.demand.errors, told_.as_announced(demand_->forecast(minute, tau), clock_.step),
+                           demand_->scale(minute, tau));
+  widen(data.demand, by.demand);
+  grow(data.demand, fleet_.variance());
+  data.demand_samples = gaussian_samples(data.demand, draws_samples(settings_.controller) ? demand_samples : 0);
+  data.completions =
+      moment_set(model_.completions.errors, has_points_.asDiagonal() * completions_->forecast(minute, tau),
+                 has_points_.asDiagonal() * completions_->scale(minute, tau));
+  widen(data.completions, by.completions);
+  data.free_points = free_points(reports, minute, clock_.step, session_quantiles_, data.completions);
+  data.turnover = model_.turnover;
+  for (int step = 0; step < tau; ++step) {
+    data.transitions.push_back(model_.transitions_at(clock_.start + minute + step * clock_.step));
+  }
+  data.step_minutes = clock_.step;
+  data.mean_session_minutes = model_.mean_session_minutes;
+  return data;
+}
+
+std::vector<Report> RecedingHorizonPlanner::observe(const Tick& tick, const std::vector<Report>& reports) {
+  assert(clock_.plan_due(tick.tick));
+  const int minute = clock_.minute_of(tick.tick);
+  const int before = clock_.minute_of(last_.tick);
+  CheckedReports checked = check_reports(reports, tick.tick, last_.tick, bounds_);
+  fleet_.advance(minute, last_.moves, model_.transitions_at(clock_.start + before));
+  std::vector<Report> believed = fleet_.settle(tick.tick, checked.good);
+  demand_->observe(minute, told_.as_usual(heard(checked.good, &Report::demand), minute - before));
+  completions_->observe(minute, heard(checked.good, &Report::completions));
+  told_ = announced_demand(settings_.foresees() ? std::vector<Effect>{} : tick.effects, model_.regions());
+  last_ = {};
+  last_.tick = tick.tick;
+  last_.provenance.rejected = std::move(checked.rejected);
+  return believed;
+}
+
+std::string RecedingHorizonPlanner::memory() const {
+  return to_bytes(Memory{ladder_.memory(), last_.moves});
+}
+
+void RecedingHorizonPlanner::recall(const Tick& tick, const std::vector<Report>& reports, const std::string& memory) {
+  observe(tick, reports);
+  auto known = from_bytes<Memory>(memory);
+  ladder_.recall(std::move(known.ladder));
+  last_.moves = std::move(known.moves);
+}
+
+Plan RecedingHorizonPlanner::plan(const Tick& tick, const std::vector<Report>& reports) {
+  const int minute = clock_.minute_of(tick.tick);
+  const std::vector<Report> believed = observe(tick, reports);
+  const Inflation by = inflation_at(minute);
+  const PlanningData known = data(minute, believed, by);
+  Decision decision = ladder_.decide(known, under_faults(settings_.engine, tick.effects));
+  add_moves(last_.moves, Errand::rebalance, decision.vacant, known.state.vacant);
+  add_moves(last_.moves, Errand::charge, decision.low_battery, known.state.low_battery);
+  decision.provenance.rejected = std::move(last_.provenance.rejected);
+  last_.provenance = std::move(decision.provenance);
+  if (last_.provenance.iterations > 0) {
+    last_.provenance.engine = settings_.engine.name;
+  }
+  last_.provenance.demand_widened = by.demand.maxCoeff();
+  last_.provenance.completions_widened = by.completions.maxCoeff();
+  return last_;
+}
+
+}  // namespace evbal

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "experiments/metrics/metrics.hpp"
+
+#include <string>
+
+namespace evbal {
+
+/// What a played day came to, without its record.
+struct DayResult {
+  DayMetrics metrics;
+  std::string digest;
+  int fallbacks = 0;  ///< plans that were not the controller's own
+};
+
+}  // namespace evbal

@@ -1,0 +1,109 @@
+#include "experiments/run/leftovers.hpp"
+
+#include "experiments/run/run_folder.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+
+namespace evbal {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> command_line(const std::string& process) {
+  std::ifstream in("/proc/" + process + "/cmdline");
+  std::vector<std::string> words;
+  for (std::string word; std::getline(in, word, '\0');) {
+    words.push_back(word);
+  }
+  return words;
+}
+
+/// 0 if there is no such process.
+pid_t parent_of(const std::string& process) {
+  std::ifstream in("/proc/" + process + "/stat");
+  std::string line;
+  std::getline(in, line);
+  const auto name_ends = line.rfind(')');  // a program's name may have blanks and brackets
+  return name_ends == std::string::npos ? 0
+                                        : static_cast<pid_t>(std::strtol(line.c_str() + name_ends + 4, nullptr, 10));
+}
+
+/// A process that takes part in a run whose launcher is gone.
+struct Orphan {
+  std::string program;
+  std::string run;  ///< its id, which begins with the launcher's process, whose child it was then
+
+  bool operator==(const Orphan&) const = default;
+};
+
+/// The process as such, if it is one.
+std::optional<Orphan> orphan(const std::string& process) {
+  const std::vector<std::string> words = command_line(process);
+  const auto option = std::find(words.begin(), words.end(), "--run");
+  const bool takes_part = std::find(words.begin(), words.end(), "--participant") != words.end() &&
+                          std::find(words.begin(), words.end(), "--journal") != words.end();
+  if (!takes_part || option == words.end() || option + 1 == words.end()) {
+    return std::nullopt;
+  }
+  const long launcher = std::strtol((option + 1)->c_str(), nullptr, 10);
+  const pid_t parent = parent_of(process);
+  if (launcher <= 0 || parent <= 0 || parent == launcher) {
+    return std::nullopt;
+  }
+  return Orphan{fs::path(words.front()).filename(), *(option + 1)};
+}
+
+void add_processes(std::vector<Leftover>& found) {
+  for (const auto& entry : fs::directory_iterator("/proc", fs::directory_options::skip_permission_denied)) {
+    const std::string id = entry.path().filename();
+    const bool number = id.find_first_not_of("0123456789") == std::string::npos;
+    if (const auto left = number ? orphan(id) : std::nullopt) {
+      found.push_back({left->program + " (process " + id + ") of run " + left->run, [id, left] {
+                         if (orphan(id) == left) {
+                           kill(static_cast<pid_t>(std::strtol(id.c_str(), nullptr, 10)), SIGKILL);
+                         }
+                       }});
+    }
+  }
+}
+
+void add_journals(std::vector<Leftover>& found) {
+  const fs::path runs = "runs";
+  if (!fs::is_directory(runs)) {
+    return;
+  }
+  for (const auto& run : fs::directory_iterator(runs)) {
+    if (!run.is_directory() || !broke_off(run.path())) {
+      continue;
+    }
+    for (const auto& entry : fs::recursive_directory_iterator(run.path())) {
+      if (entry.is_directory() && entry.path().filename() == "journals") {
+        found.push_back(
+            {entry.path().string() + ", of a run that broke off", [folder = entry.path(), run = run.path()] {
+               if (broke_off(run)) {
+                 fs::remove_all(folder);
+               }
+             }});
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Leftover> find_leftovers() {
+  std::vector<Leftover> found;
+  add_processes(found);
+  add_journals(found);
+  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.what < b.what; });
+  return found;
+}
+
+}  // namespace evbal

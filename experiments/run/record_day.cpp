@@ -1,0 +1,177 @@
+#include "experiments/run/record_day.hpp"
+
+#include "agents/world/draws.hpp"
+#include "common/error.hpp"
+#include "common/installation.hpp"
+#include "common/interrupt.hpp"
+#include "coordinator/planning/receding_horizon_planner.hpp"
+#include "experiments/conductor/dds_players.hpp"
+#include "experiments/conductor/inproc_players.hpp"
+#include "experiments/conductor/run_day.hpp"
+#include "experiments/progress/progress.hpp"
+#include "experiments/record/row.hpp"
+#include "experiments/record/summary.hpp"
+#include "experiments/record/text.hpp"
+
+#include <memory>
+
+namespace evbal {
+namespace {
+
+std::shared_ptr<RecedingHorizonPlanner> coordinator_of(const Scenario& scenario) {
+  const World& world = scenario.world;
+  auto coordinator =
+      std::make_shared<RecedingHorizonPlanner>(world.city, world.clock, world.day.date, scenario.planning,
+                                               read_model(model_file(scenario.planning, world.city)));
+  if (scenario.planning.foresees()) {
+    coordinator->foresee(
+        demand_by_tick(world, [&](int tick) { return faults_at(scenario.schedule, world.clock, tick).effects; }));
+  }
+  return coordinator;
+}
+
+/// The coordinator's command with its program as it will be started. Throws Error{bad_input} if there is no such
+/// program.
+Command startable(Command command) {
+  if (!command.empty()) {
+    const auto program = find_program(command.front());
+    if (program.empty()) {
+      throw bad_input("coordinator `" + shown(command) + "`: there is no program `" + command.front() +
+                      "`; give its path, or the name of one beside evbal or in $PATH");
+    }
+    command.front() = program.string();
+  }
+  return command;
+}
+
+std::unique_ptr<Players> players_of(const Scenario& scenario, const std::filesystem::path& folder,
+                                    const std::string& transport) {
+  if (transport == "dds") {
+    return std::make_unique<DdsPlayers>(DdsRun{.folder = folder,
+                                               .regions = scenario.world.city.size(),
+                                               .regions_per_process = scenario.regions_per_process,
+                                               .coordinator = startable(scenario.planning.coordinator),
+                                               .network = scenario.network,
+                                               .seed = scenario.world.seed});
+  }
+  return std::make_unique<InprocPlayers>(
+      scenario.world,
+      [coordinator = coordinator_of(scenario)](const Tick& tick, const std::vector<Report>& reports) {
+        return coordinator->plan(tick, reports);
+      },
+      [&scenario](int tick) { return faults_at(scenario.schedule, scenario.world.clock, tick); },
+      scenario.regions_per_process);
+}
+
+MetricsFrame frame_of(const Scenario& scenario) {
+  const Eigen::VectorXi points = scenario.world.city.points();
+  return {.clock = scenario.world.clock,
+          .points = {points.begin(), points.end()},
+          .beta = scenario.planning.balancing.beta};
+}
+
+RunHeader header_of(const Scenario& scenario, const std::string& resolved) {
+  const World& world = scenario.world;
+  RunHeader header;
+  header.scenario = scenario.name;
+  header.resolved = resolved;
+  header.date = world.day.date;
+  header.seed = world.seed;
+  header.controller = scenario.planning.controller;
+  header.engine = scenario.planning.engine.name;
+  header.transport = scenario.transport;
+  header.network = scenario.network;
+  header.frame = frame_of(scenario);
+  for (const auto& region : world.city.regions) {
+    header.region_names.push_back(region.name);
+  }
+  for (const auto& fault : scenario.schedule.faults) {
+    header.faults.push_back(
+        {.name = fault.name, .type = word(fault.type), .start = fault.start, .end = fault.start + fault.duration});
+  }
+  return header;
+}
+
+std::vector<std::string> fault_names(const Schedule& schedule) {
+  std::vector<std::string> names;
+  for (const auto& fault : schedule.faults) {
+    names.push_back(fault.name);
+  }
+  return names;
+}
+
+RunResult play(const Scenario& scenario, const std::string& resolved, const std::filesystem::path& folder,
+               const Stage& stage) {
+  RunRecord record(folder, header_of(scenario, resolved));
+  const auto players = players_of(scenario, folder, stage.transport);
+  Progress progress(scenario.planning.controller, scenario.world.clock, fault_names(scenario.schedule), stage.quiet);
+  try {
+    run_day(scenario.world, *players, [&](const TickRecord& tick) {
+      record.add(tick);
+      progress.show(tick);
+      check_interrupt();
+    });
+  } catch (const Error& error) {
+    record.break_off(error.what());
+    throw;
+  }
+  return record.finish();
+}
+
+DayResult keep(const Scenario& scenario, Players& players) {
+  std::vector<TickRecord> ticks;
+  run_day(scenario.world, players, [&](const TickRecord& tick) { ticks.push_back(tick); });
+  return {
+      .metrics = measure(frame_of(scenario), ticks), .digest = digest_of(ticks), .fallbacks = count_fallbacks(ticks)};
+}
+
+}  // namespace
+
+std::string own_transport(const Scenario& scenario) {
+  return scenario.planning.coordinator.empty() ? "inproc" : "dds";
+}
+
+Scenario with_controller(Scenario scenario, const std::string& controller) {
+  scenario.controllers = {controller};
+  scenario.planning.controller = controller;
+  return scenario;
+}
+
+Scenario without_faults(Scenario scenario) {
+  scenario.schedule.faults.clear();
+  scenario.expect.clear();
+  scenario.transport = own_transport(scenario);
+  scenario.network.reset();
+  return scenario;
+}
+
+void check_planning(const Scenario& scenario) {
+  if (startable(scenario.planning.coordinator).empty()) {
+    coordinator_of(scenario);
+  }
+}
+
+RunResult record_day(const Scenario& scenario, const std::string& resolved, const std::filesystem::path& folder,
+                     const Stage& stage) {
+  try {
+    return play(scenario, resolved, folder, stage);
+  } catch (const Error& error) {
+    if (scenario.planning.coordinator.empty()) {
+      throw;
+    }
+    throw Error(error.status(),
+                std::string(error.what()) + " (the coordinator is `" + shown(scenario.planning.coordinator) + "`)");
+  }
+}
+
+DayResult play_day(const Scenario& scenario) {
+  return keep(scenario, *players_of(scenario, {}, "inproc"));
+}
+
+DayResult play_day(const Scenario& scenario, const std::filesystem::path& folder) {
+  const EmptyFolder own(folder);
+  write_file(folder / "scenario.resolved.yaml", resolved_yaml(scenario, scenario.planning.controller));
+  return keep(scenario, *players_of(scenario, folder, scenario.transport));
+}
+
+}  // namespace evbal

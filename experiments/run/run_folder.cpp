@@ -1,0 +1,84 @@
+#include "experiments/run/run_folder.hpp"
+
+#include "common/error.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+#include <string>
+#include <thread>
+#include <utility>
+
+namespace evbal {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+constexpr auto patience = 2s;  // a killed launcher's worker holds the directory until it has been killed, too
+
+/// Whether a run may have written the file.
+bool is_of_run(const fs::path& file) {
+  static const std::set<std::string> names = {"INCOMPLETE",
+                                              "distribution.csv",
+                                              "faults.csv",
+                                              "regions.csv",
+                                              "report.html",
+                                              "run.sqlite",
+                                              "runs.csv",
+                                              "runs.sqlite",
+                                              "steps.csv",
+                                              "worst.yaml",
+                                              "summary.json",
+                                              "run.sqlite-journal",
+                                              "runs.sqlite-journal",
+                                              "scenario.resolved.yaml"};
+  const std::string folder = file.parent_path().filename();
+  return names.contains(file.filename()) || folder == "processes" || folder == "journals";
+}
+
+/// Whether the directory has the mark of a record that is not complete, and nothing that no run writes.
+bool has_broken_record(const fs::path& folder) {
+  bool marked = false;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    marked = marked || entry.path().filename() == "INCOMPLETE";
+    if (!entry.is_directory() && !is_of_run(entry.path())) {
+      return false;
+    }
+  }
+  return marked;
+}
+
+}  // namespace
+
+OutFolder::OutFolder(fs::path folder) : folder_(std::move(folder)) {
+  const auto refuse = [&](const std::string& why) { return bad_input("--out: " + folder_.string() + " " + why); };
+  std::error_code failed;
+  if (fs::exists(folder_) && !fs::is_directory(folder_)) {
+    throw refuse("is there and not an empty directory; give a new one");
+  }
+  fs::create_directories(folder_, failed);
+  if (failed) {
+    throw refuse("cannot be made (" + failed.message() + "); give another one");
+  }
+  lock_.emplace(folder_);
+  for (auto waited = 0ms; !lock_->held() && waited < patience; waited += 10ms) {
+    std::this_thread::sleep_for(10ms);
+    lock_.emplace(folder_);
+  }
+  if (!lock_->held()) {
+    throw refuse("is being written by another run; give a new one");
+  }
+  if (!fs::is_empty(folder_) && !has_broken_record(folder_)) {
+    throw refuse("is there and not an empty directory; give a new one");
+  }
+  for (const auto& entry : fs::directory_iterator(folder_)) {
+    fs::remove_all(entry.path());
+  }
+}
+
+bool broke_off(const fs::path& folder) {
+  return FolderLock(folder).held() && has_broken_record(folder);
+}
+
+}  // namespace evbal

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace evbal {
+
+/// A day of a sweep and what it came to.
+struct FinishedDay {
+  std::string scenario{};
+  std::string variant;
+  std::string controller{};
+  std::string faults;
+  std::string day;
+  std::uint64_t seed = 0;
+  std::map<std::string, std::string> settings{};  ///< of the variant, by path
+  std::map<std::string, double> totals{};         ///< by finished_metrics()
+};
+
+/// The metrics that add up over a day's steps.
+std::vector<std::string> additive_metrics();
+
+/// The metrics of a day, and `_after_7` those that add up over its steps, of the steps from 07:00 on.
+std::vector<std::string> finished_metrics();
+
+}  // namespace evbal

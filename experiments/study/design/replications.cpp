@@ -1,0 +1,163 @@
+#include "experiments/study/design/replications.hpp"
+
+#include "common/digest.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <set>
+
+namespace evbal {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// `none`, `scenario`, a schedule's file, or a schedule.
+std::optional<YamlValue> read_schedule_of(const YamlValue& value) {
+  if (value.is_map()) {
+    return value;
+  }
+  if (value.text() == "scenario") {
+    return std::nullopt;
+  }
+  if (value.text() == "none") {
+    return YamlValue::parse("{schema: 1, faults: []}", value.file());
+  }
+  return YamlValue::load(fs::path(value.file()).parent_path() / value.text());
+}
+
+/// A schedule's seed for one (day, seed) of the sweep.
+YamlValue redrawn(const YamlValue& schedule, const std::string& day, std::uint64_t seed) {
+  const auto own = YamlMap(schedule).find("seed");
+  const std::string text = std::to_string(own ? own->seed() : 0) + " " + day + " " + std::to_string(seed);
+  Digest digest;
+  digest.update(text.data(), text.size());
+  return YamlValue::parse(std::to_string(std::stoull(digest.hex().substr(0, 16), nullptr, 16)), schedule.file());
+}
+
+YamlValue with_faults(const YamlValue& scenario, const std::optional<YamlValue>& given, const std::string& day,
+                      std::uint64_t seed) {
+  const auto schedule = given ? given : YamlMap(scenario).find("faults");
+  if (!schedule) {
+    return scenario;
+  }
+  return scenario.with("faults", *schedule).with("faults.seed", redrawn(*schedule, day, seed));
+}
+
+YamlValue scenario_beside(const YamlValue& name) {
+  return YamlValue::load(fs::path(name.file()).parent_path() / name.text());
+}
+
+}  // namespace
+
+std::string shown(const YamlValue& value) {
+  return value.is_scalar() ? value.text() : value.dump();
+}
+
+std::string plain_name(const YamlValue& value) {
+  std::string name = value.text();
+  const auto plain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.'; };
+  if (name.empty() || !std::all_of(name.begin(), name.end(), plain)) {
+    throw value.error("`" + name + "` is no name; write letters, digits, `-`, `_` and `.` only");
+  }
+  return name;
+}
+
+std::vector<YamlValue> distinct_items(const YamlValue& list) {
+  std::set<std::string> seen;
+  for (const auto& item : list.items()) {
+    if (!seen.insert(shown(item)).second) {
+      throw item.error("`" + shown(item) + "` is given twice");
+    }
+  }
+  if (seen.empty()) {
+    throw list.error("holds nothing; give at least one");
+  }
+  return list.items();
+}
+
+std::vector<std::uint64_t> read_seeds(const YamlValue& list) {
+  std::vector<std::uint64_t> seeds;
+  for (const auto& item : distinct_items(list)) {
+    seeds.push_back(item.seed());
+  }
+  return seeds;
+}
+
+Replications::Replications(YamlMap& map)
+    : scenarios_(read_scenarios(map)),
+      faults_(read_faults(map.find("faults"))),
+      days_(distinct_items(map.require("days"))),
+      seeds_(read_seeds(map.require("seeds"))) {}
+
+std::vector<Replications::Scenario> Replications::read_scenarios(YamlMap& map) {
+  const auto several = map.find("scenarios");
+  if (!several) {
+    const YamlValue name = map.require("scenario");
+    return {{fs::path(name.text()).stem().string(), scenario_beside(name)}};
+  }
+  if (map.find("scenario")) {
+    throw several->error("`scenario` and `scenarios` are both given; keep one");
+  }
+  YamlMap names(*several);
+  std::vector<Scenario> scenarios;
+  for (const auto& name : names.keys()) {
+    scenarios.push_back({name, scenario_beside(names.require(name))});
+  }
+  if (scenarios.empty()) {
+    throw several->error("names no scenario; give at least one");
+  }
+  return scenarios;
+}
+
+std::vector<Replications::Faults> Replications::read_faults(const std::optional<YamlValue>& value) {
+  if (!value) {
+    return {{"", std::nullopt}};
+  }
+  std::vector<Faults> faults;
+  YamlMap map(*value);
+  for (const auto& name : map.keys()) {
+    faults.push_back({name, read_schedule_of(map.require(name))});
+  }
+  if (faults.empty()) {
+    throw value->error("names no schedule; leave `faults` out to have the scenario's own");
+  }
+  return faults;
+}
+
+void Replications::cut(std::size_t days, std::size_t seeds) {
+  days_.erase(days_.begin() + static_cast<std::ptrdiff_t>(std::min(days, days_.size())), days_.end());
+  seeds_.resize(std::min(seeds, seeds_.size()));
+}
+
+std::vector<std::string> Replications::scenarios() const {
+  std::vector<std::string> names;
+  names.reserve(scenarios_.size());
+  for (const auto& scenario : scenarios_) {
+    names.push_back(scenario.name);
+  }
+  return names;
+}
+
+std::vector<Replication> Replications::of(const std::string& name, const std::vector<std::uint64_t>& own_seeds) const {
+  const auto scenario =
+      std::find_if(scenarios_.begin(), scenarios_.end(), [&](const auto& s) { return s.name == name; });
+  std::vector<Replication> replications;
+  for (const auto& faults : faults_) {
+    for (const auto& day : days_) {
+      for (const auto seed : own_seeds.empty() ? seeds_ : own_seeds) {
+        const YamlValue seed_text = YamlValue::parse(std::to_string(seed), day.file());
+        Replication replication{.scenario = name,
+                                .faults = faults.name,
+                                .day = day.text(),
+                                .seed = seed,
+                                .yaml = scenario->yaml.with("day", day).with("seed", seed_text)};
+        replication.yaml = with_faults(replication.yaml, faults.schedule, replication.day, seed);
+        replications.push_back(std::move(replication));
+      }
+    }
+  }
+  return replications;
+}
+
+}  // namespace evbal

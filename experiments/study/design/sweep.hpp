@@ -1,0 +1,57 @@
+#pragma once
+
+#include "common/yaml.hpp"
+#include "experiments/scenario/scenario.hpp"
+#include "experiments/study/design/page.hpp"
+#include "experiments/study/design/replications.hpp"
+#include "experiments/study/design/tuned.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// Many days, which differ in scenario, who controls, day, seed, faults and settings (docs/sweeps.md).
+namespace evbal {
+
+/// One day of a sweep.
+struct SweptDay {
+  std::string scenario{};  ///< its name in the sweep
+  std::string variant{};
+  std::string controller{};
+  std::string faults;  ///< name of the schedule; empty: the scenario's own
+  std::string day;
+  std::uint64_t seed = 0;
+  std::map<std::string, std::string> settings{};  ///< of the variant, by path
+  YamlValue yaml;                                 ///< the scenario with all of these, but for the controller
+};
+
+struct Sweep {
+  std::vector<std::string> settings;  ///< paths that any variant sets, in the order of the file
+  std::vector<SweptDay> days;  ///< at least one; by variant, scenario, settings, faults, day and seed, as in the file
+  std::optional<Page> page{};
+};
+
+/// How much of a sweep is read, and what else it needs.
+struct SweepReading {
+  bool quick = false;             ///< the first two days and the first seed only
+  std::filesystem::path tuned{};  ///< what came of the file's `tuning`; empty: it has none
+};
+
+/// Reads a sweep. Throws Error{bad_input} with file, line, reason and what would be right; what a setting's value must
+/// be is not looked at before scenario_of.
+Sweep read_sweep(const std::filesystem::path& file, const SweepReading& reading = {});
+
+/// The file with the tuning that a sweep needs first, by its key `tuning`; empty if it needs none.
+std::filesystem::path tuning_of(const std::filesystem::path& file);
+
+/// The day of a variant on an replication.
+SweptDay day_of(const Replication& replication, const std::string& variant, const std::string& controller,
+                const std::vector<Setting>& settings);
+
+/// The day's scenario: one controller, one process, nothing expected. Throws Error{bad_input}.
+Scenario scenario_of(const SweptDay& day);
+
+}  // namespace evbal

@@ -1,0 +1,182 @@
+#include "experiments/study/executors/monte_carlo.hpp"
+
+#include "common/error.hpp"
+#include "experiments/record/paired_run.hpp"
+#include "experiments/record/summary.hpp"
+#include "experiments/record/text.hpp"
+#include "experiments/run/twins.hpp"
+#include "experiments/study/executors/play_days.hpp"
+#include "experiments/study/statistics/distribution.hpp"
+#include "experiments/study/store/sweep_file.hpp"
+
+#include <algorithm>
+
+namespace evbal {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What the draws of one controller came to.
+struct Drawn {
+  Run run;
+  std::vector<std::map<std::string, double>> totals;  ///< of each draw, by metric
+  std::map<std::string, double> without;              ///< faults
+
+  std::vector<double> values(const std::string& metric) const {
+    std::vector<double> all;
+    all.reserve(totals.size());
+    for (const auto& of_draw : totals) {
+      all.push_back(of_draw.at(metric));
+    }
+    return all;
+  }
+};
+
+std::string name_of(std::size_t draw) {
+  return "draw-" + std::to_string(draw + 1);
+}
+
+Scenario with_draw(Scenario scenario, std::size_t draw) {
+  scenario.schedule = scenario.draws[draw];
+  scenario.draws = {scenario.schedule};
+  return scenario;
+}
+
+std::string resolved_draw(const Scenario& scenario, std::size_t draw) {
+  return resolved_yaml(with_draw(scenario, draw), scenario.planning.controller);
+}
+
+/// Every draw of every run as a day of a sweep.
+Sweep sweep_of(const std::vector<Run>& runs) {
+  Sweep sweep;
+  for (const auto& [scenario, folder] : runs) {
+    for (std::size_t draw = 0; draw < scenario.draws.size(); ++draw) {
+      sweep.days.push_back({.variant = scenario.planning.controller,
+                            .controller = scenario.planning.controller,
+                            .faults = name_of(draw),
+                            .day = scenario.world.day.date,
+                            .seed = scenario.world.seed,
+                            .yaml = YamlValue::parse(resolved_draw(scenario, draw), name_of(draw))});
+    }
+  }
+  return sweep;
+}
+
+/// Plays all draws and gathers their results in runs.sqlite.
+void play(const std::vector<Run>& runs, const fs::path& folder, const DrawsStage& stage) {
+  const Sweep sweep = sweep_of(runs);
+  std::vector<std::string> keys;
+  for (const auto& day : sweep.days) {
+    keys.push_back(text_digest(day.yaml.dump()));
+  }
+  const fs::path file = folder / "runs.sqlite";
+  const Labour labour{stage.over_bus ? 1 : cores(), stage.quiet};
+  const std::string failed = play_days(sweep, keys, file, labour, [&](std::size_t i) {
+    const std::size_t draws = runs.front().scenario.draws.size();
+    const Scenario scenario = with_draw(runs[i / draws].scenario, i % draws);
+    add_result(file, keys[i], scenario.world.clock,
+               stage.over_bus ? play_day(scenario, folder / "processes-of-a-draw") : play_day(scenario));
+  });
+  if (!failed.empty()) {
+    throw run_failed("runs that failed:" + failed);
+  }
+}
+
+std::vector<Drawn> gathered(const std::vector<Run>& runs, const fs::path& folder) {
+  const auto days = read_finished(folder / "runs.sqlite");
+  std::vector<Drawn> all;
+  for (const auto& run : runs) {
+    Drawn drawn{.run = run, .totals = {}, .without = read_run(twin_folder(run.folder)).totals};
+    for (const auto& day : days) {
+      if (day.variant == run.scenario.planning.controller) {
+        drawn.totals.push_back(day.totals);
+      }
+    }
+    all.push_back(std::move(drawn));
+  }
+  return all;
+}
+
+std::string distribution_csv(const std::vector<Drawn>& all) {
+  std::string text = "controller,metric";
+  for (const auto& [name, value] : named(Distribution{})) {
+    text += "," + name;
+  }
+  text += ",without\n";
+  for (const auto& drawn : all) {
+    for (const auto& metric : metric_names()) {
+      text += drawn.run.scenario.planning.controller + "," + metric;
+      for (const auto& [name, value] : named(distribution_of(drawn.values(metric)))) {
+        text += "," + shortest(value);
+      }
+      text += "," + shortest(drawn.without.at(metric)) + "\n";
+    }
+  }
+  return text;
+}
+
+/// What decides which draw is worst.
+Expect measure_of_worst(const Scenario& scenario) {
+  return scenario.expect.empty() ? Expect{.metric = "lost"} : scenario.expect.front();
+}
+
+std::size_t worst_draw(const Drawn& drawn) {
+  const Expect measure = measure_of_worst(drawn.run.scenario);
+  return worst_of(drawn.values(measure.metric), measure.at_most);
+}
+
+DrawnController summary_of(const Drawn& drawn) {
+  const std::string metric = measure_of_worst(drawn.run.scenario).metric;
+  const std::size_t worst = worst_draw(drawn);
+  DrawnController summary{.controller = drawn.run.scenario.planning.controller,
+                          .draws = drawn.totals.size(),
+                          .metrics = {},
+                          .worst = name_of(worst),
+                          .worst_metric = metric,
+                          .worst_value = drawn.totals[worst].at(metric),
+                          .worst_file = drawn.run.folder / "worst.yaml"};
+  for (const auto& name : expectable_metrics()) {
+    summary.metrics.push_back({name, distribution_of(drawn.values(name)), drawn.without.at(name)});
+  }
+  return summary;
+}
+
+/// What was expected and did not hold, empty if all did.
+std::string disappointments(const std::vector<Drawn>& all) {
+  std::string failed;
+  for (const auto& drawn : all) {
+    for (const auto& expect : drawn.run.scenario.expect) {
+      const std::vector<double> values = drawn.values(expect.metric);
+      const auto misses = std::count_if(values.begin(), values.end(), [&](double x) { return !expect.holds(x); });
+      if (misses > 0) {
+        const std::size_t worst = worst_of(values, expect.at_most);
+        failed += (failed.empty() ? "" : "; ") + drawn.run.scenario.planning.controller + ": " + expect.metric +
+                  ", expected " + expect.words() + ", fails in " + std::to_string(misses) + " of " +
+                  std::to_string(values.size()) + " draws, in " + name_of(worst) + " it is " + shortest(values[worst]);
+      }
+    }
+  }
+  return failed;
+}
+
+}  // namespace
+
+DrawsResult play_draws(const Scenario& scenario, const fs::path& folder, const DrawsStage& stage) {
+  fs::create_directories(folder);
+  const std::vector<Run> runs = runs_of(scenario, folder);
+  Twins twins(runs);
+  play(runs, folder, stage);
+  twins.await();
+  const std::vector<Drawn> all = gathered(runs, folder);
+  write_file(folder / "runs.csv", swept_days_csv(folder / "runs.sqlite"));
+  write_file(folder / "distribution.csv", distribution_csv(all));
+  DrawsResult result;
+  for (const auto& drawn : all) {
+    write_file(drawn.run.folder / "worst.yaml", resolved_draw(drawn.run.scenario, worst_draw(drawn)));
+    result.controllers.push_back(summary_of(drawn));
+  }
+  result.disappointments = disappointments(all);
+  return result;
+}
+
+}  // namespace evbal

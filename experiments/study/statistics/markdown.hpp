@@ -1,0 +1,34 @@
+#pragma once
+
+#include "experiments/study/design/finished_day.hpp"
+#include "experiments/study/design/page.hpp"
+#include "experiments/study/statistics/intervals.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+/// What the page's tables are written with.
+namespace evbal {
+
+using Words = std::vector<std::string>;
+
+std::string number(double value, int digits, bool sign = false);
+
+/// With three digits, or whole.
+std::string rounded(double value);
+
+/// "low .. high", both times `factor`.
+std::string range(const Interval& interval, double factor, int digits, bool sign);
+
+std::string table_row(const Words& cells);
+
+/// A table's head, the first `left` columns of which are flush left.
+std::string header(const Words& cells, std::size_t left);
+
+bool contains(const Words& words, const std::string& word);
+
+/// The table of a comparison, what it shows by one rule for all, and which aims it reaches.
+std::string compared(const CompareSection& section, const std::vector<FinishedDay>& days);
+
+}  // namespace evbal

@@ -1,0 +1,147 @@
+#include "experiments/study/statistics/page_markdown.hpp"
+
+#include "experiments/study/statistics/intervals.hpp"
+#include "experiments/study/statistics/markdown.hpp"
+#include "experiments/study/statistics/ranks.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <set>
+#include <tuple>
+
+namespace evbal {
+namespace {
+
+/// Scenario, faults and variant of a row, in the order of the sweep, with its days.
+using Group = std::tuple<std::string, std::string, std::string>;
+std::vector<std::pair<Group, std::vector<const FinishedDay*>>> grouped(const std::vector<FinishedDay>& days,
+                                                                       const Words& variants) {
+  std::vector<std::pair<Group, std::vector<const FinishedDay*>>> groups;
+  for (const auto& day : days) {
+    if (!contains(variants, day.variant)) {
+      continue;
+    }
+    const Group group{day.scenario, day.faults, day.variant};
+    const auto known = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.first == group; });
+    (known == groups.end() ? groups.emplace_back(group, std::vector<const FinishedDay*>{}) : *known)
+        .second.push_back(&day);
+  }
+  return groups;
+}
+
+std::string means(const MeansSection& section, const std::vector<FinishedDay>& days) {
+  Words names = {"scenario", "faults", "variant"};
+  names.insert(names.end(), section.metrics.begin(), section.metrics.end());
+  std::string text = header(names, 3);
+  for (const auto& [group, of_group] : grouped(days, section.variants)) {
+    Words cells = {std::get<0>(group), std::get<1>(group), std::get<2>(group)};
+    for (const auto& metric : section.metrics) {
+      std::vector<DayValue> values;
+      values.reserve(of_group.size());
+      for (const auto* day : of_group) {
+        values.push_back({day->day, day->totals.at(metric)});
+      }
+      const Interval mean = t_interval(values);
+      cells.push_back(rounded(mean.mean) + " ± " + rounded(mean.high - mean.mean));
+    }
+    text += table_row(cells);
+  }
+  return text;
+}
+
+std::string correlated(const CorrelateSection& section, const std::vector<FinishedDay>& days) {
+  using Replication = std::tuple<std::string, std::string, std::string, std::uint64_t>;
+  std::map<Replication, std::vector<const FinishedDay*>> replications;
+  std::vector<std::pair<std::string, std::string>> rows;
+  for (const auto& day : days) {
+    if (contains(section.variants, day.variant)) {
+      replications[{day.scenario, day.faults, day.day, day.seed}].push_back(&day);
+      if (const std::pair row(day.scenario, day.faults); std::find(rows.begin(), rows.end(), row) == rows.end()) {
+        rows.push_back(row);
+      }
+    }
+  }
+  Words names = {"scenario", "faults"};
+  names.insert(names.end(), section.metrics.begin(), section.metrics.end());
+  std::string text = header(names, 2);
+  for (const auto& [scenario, faults] : rows) {
+    Words cells = {scenario, faults};
+    for (const auto& metric : section.metrics) {
+      std::vector<DayValue> values;
+      for (const auto& [replication, points] : replications) {
+        if (std::get<0>(replication) == scenario && std::get<1>(replication) == faults) {
+          std::vector<double> x;
+          std::vector<double> y;
+          for (const auto* point : points) {
+            x.push_back(point->totals.at(metric));
+            y.push_back(point->totals.at(section.with));
+          }
+          values.push_back({std::get<2>(replication), rank_correlation(x, y)});
+        }
+      }
+      const Interval mean = t_interval(values);
+      cells.push_back(number(mean.mean, 2, true) + " (" + range(mean, 1.0, 2, true) + ")");
+    }
+    text += table_row(cells);
+  }
+  return text;
+}
+
+std::string settings(const SettingsSection& section, const std::vector<FinishedDay>& days) {
+  std::string text = header({"scenario", "variant", "controller", "settings"}, 4);
+  std::set<std::string> seen;
+  for (const auto& day : days) {
+    if (!contains(section.variants, day.variant) || !seen.insert(day.scenario + " " + day.variant).second) {
+      continue;
+    }
+    std::string list;
+    for (const auto& [path, value] : day.settings) {
+      if (!value.empty()) {
+        list.append(list.empty() ? "`" : ", `").append(path).append("` ").append(value);
+      }
+    }
+    text += table_row({day.scenario, day.variant, day.controller, list});
+  }
+  return text;
+}
+
+template <class Value>
+std::string listed(const std::vector<FinishedDay>& days, const Value& value) {
+  Words names;
+  for (const auto& day : days) {
+    if (const std::string name = value(day); !contains(names, name)) {
+      names.push_back(name);
+    }
+  }
+  std::string text;
+  for (const auto& name : names) {
+    text += (text.empty() ? "" : ", ") + name;
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string page_markdown(const Page& page, std::vector<FinishedDay> days, const std::string& command) {
+  for (auto& day : days) {
+    day.totals["objective"] = priced(page.objective, day);
+  }
+  std::string text =
+      "# " + page.title + "\n\n" + page.text + "\n\nMade by\n\n    " + command + "\n\nfrom " +
+      std::to_string(days.size()) +
+      " simulated days. Scenarios: " + listed(days, [](const FinishedDay& day) { return day.scenario; }) +
+      ". Days: " + listed(days, [](const FinishedDay& day) { return day.day; }) +
+      ". Seeds: " + listed(days, [](const FinishedDay& day) { return std::to_string(day.seed); }) +
+      ". Faults: " + listed(days, [](const FinishedDay& day) { return day.faults.empty() ? "own" : day.faults; }) +
+      ".\n";
+  for (const auto& section : page.sections) {
+    text += "\n## " + section.title + "\n\n" + section.text + (section.text.empty() ? "" : "\n\n");
+    text += section.compare ? compared(*section.compare, days) : "";
+    text += section.means ? means(*section.means, days) : "";
+    text += section.correlate ? correlated(*section.correlate, days) : "";
+    text += section.settings ? settings(*section.settings, days) : "";
+  }
+  return text;
+}
+
+}  // namespace evbal

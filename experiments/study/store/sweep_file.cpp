@@ -1,0 +1,212 @@
+#include "experiments/study/store/sweep_file.hpp"
+
+#include "common/error.hpp"
+#include "experiments/metrics/columns.hpp"
+#include "experiments/record/database_table.hpp"
+#include "experiments/record/text.hpp"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <algorithm>
+
+namespace evbal {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int longest_wait_ms = 60'000;  // for another process that writes
+
+SQLite::Database opened(const fs::path& file, int flags) {
+  return SQLite::Database(file.string(), flags, longest_wait_ms);
+}
+
+/// Appends the columns of a metrics' row.
+template <class Line>
+void add_columns(Row& row, const Line& line) {
+  columns(
+      [&](const char* name, auto value) {
+        if constexpr (std::is_integral_v<decltype(value)>) {
+          row.push_back({name, std::int64_t{value}});
+        } else {
+          row.push_back({name, value});
+        }
+      },
+      line);
+}
+
+Row result_row(const std::string& key, const DayResult& result) {
+  Row row = {{"key", key}};
+  add_columns(row, result.metrics.totals);
+  row.push_back({"fallbacks", std::int64_t{result.fallbacks}});
+  row.push_back({"digest", result.digest});
+  return row;
+}
+
+Row step_row(const std::string& key, const DayClock& clock, const CityStep& step) {
+  Row row = {{"key", key}, {"start", time_of_day(clock, step.step * clock.step)}};
+  add_columns(row, step);
+  return row;
+}
+
+Row day_row(std::size_t run, const Sweep& sweep, const SweptDay& day, const std::string& key) {
+  Row row = {{"run", static_cast<std::int64_t>(run)}, {"scenario", day.scenario}, {"variant", day.variant},
+             {"controller", day.controller},          {"faults", day.faults},     {"day", day.day},
+             {"seed", std::to_string(day.seed)}};
+  for (const auto& path : sweep.settings) {
+    const auto given = day.settings.find(path);
+    row.push_back({path, given == day.settings.end() ? "" : given->second});
+  }
+  row.push_back({"key", key});
+  return row;
+}
+
+/// By key, what the steps from 07:00 on add up to.
+std::string after_7_query() {
+  std::string sums;
+  for (const auto& name : additive_metrics()) {
+    sums.append(", sum(\"").append(name).append("\") AS \"").append(name).append("_after_7\"");
+  }
+  return "(SELECT key" + sums + " FROM steps WHERE start >= '07:00' GROUP BY key)";
+}
+
+/// A row of `days` with its result.
+FinishedDay finished_day(SQLite::Statement& row) {
+  FinishedDay day{.scenario = row.getColumn("scenario").getString(),
+                  .variant = row.getColumn("variant").getString(),
+                  .controller = row.getColumn("controller").getString(),
+                  .faults = row.getColumn("faults").getString(),
+                  .day = row.getColumn("day").getString(),
+                  .seed = std::stoull(row.getColumn("seed").getString())};
+  int at = row.getColumnIndex("seed") + 1;
+  for (; std::string(row.getColumnName(at)) != "key"; ++at) {
+    day.settings[row.getColumnName(at)] = row.getColumn(at).getString();
+  }
+  for (const auto& metric : finished_metrics()) {
+    day.totals[metric] = row.getColumn(metric.c_str()).getDouble();
+  }
+  return day;
+}
+
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) {
+    return text;
+  }
+  std::string result = "\"";
+  for (const char c : text) {
+    result += c == '"' ? "\"\"" : std::string{c};
+  }
+  return result + "\"";
+}
+
+std::string cell(const SQLite::Column& column) {
+  return column.isFloat() ? shortest(column.getDouble()) : quoted(column.getString());
+}
+
+/// All that `query` finds, with a header; `key` is left out.
+std::string csv(const fs::path& file, const std::string& query) {
+  const SQLite::Database database = opened(file, SQLite::OPEN_READONLY);
+  SQLite::Statement rows(database, query);
+  std::vector<int> shown;
+  std::string text;
+  for (int i = 0; i < rows.getColumnCount(); ++i) {
+    if (std::string(rows.getColumnName(i)) != "key") {
+      text += (shown.empty() ? "" : ",") + quoted(rows.getColumnName(i));
+      shown.push_back(i);
+    }
+  }
+  while (rows.executeStep()) {
+    for (const int i : shown) {
+      text += (i == shown.front() ? "\n" : ",") + cell(rows.getColumn(i));
+    }
+  }
+  return text + "\n";
+}
+
+void make_tables(SQLite::Database& database) {
+  const Table results(database, "results", result_row("", {}));
+  const Table steps(database, "steps", step_row("", {}, {}));
+  database.exec("CREATE UNIQUE INDEX IF NOT EXISTS by_key ON results (key)");
+  database.exec("CREATE INDEX IF NOT EXISTS steps_by_key ON steps (key)");
+}
+
+}  // namespace
+
+std::set<std::string> begin_sweep(const fs::path& file, const Sweep& sweep, const std::vector<std::string>& keys) {
+  try {
+    SQLite::Database database = opened(file, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    SQLite::Transaction transaction(database);
+    make_tables(database);
+    database.exec("DROP TABLE IF EXISTS days");
+    Table days(database, "days", day_row(0, sweep, sweep.days.front(), ""));
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      days.add(day_row(i + 1, sweep, sweep.days[i], keys[i]));
+    }
+    std::set<std::string> finished;
+    SQLite::Statement query(database, "SELECT key FROM results");
+    while (query.executeStep()) {
+      finished.insert(query.getColumn(0).getString());
+    }
+    transaction.commit();
+    return finished;
+  } catch (const SQLite::Exception& error) {
+    throw bad_input(file.string() + ": is no sweep of this version of evbal (" + error.what() +
+                    "); give another directory with --out");
+  }
+}
+
+void add_result(const fs::path& file, const std::string& key, const DayClock& clock, const DayResult& result) {
+  SQLite::Database database = opened(file, SQLite::OPEN_READWRITE);
+  SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+  Table(database, "results", result_row("", {})).add(result_row(key, result));
+  Table steps(database, "steps", step_row("", {}, {}));
+  for (const auto& step : result.metrics.steps) {
+    steps.add(step_row(key, clock, step));
+  }
+  transaction.commit();
+}
+
+void begin_results(const fs::path& file) {
+  SQLite::Database database = opened(file, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  SQLite::Transaction transaction(database);
+  make_tables(database);
+  transaction.commit();
+}
+
+void merge_result(const fs::path& file, const fs::path& other) {
+  SQLite::Database database = opened(file, SQLite::OPEN_READWRITE);
+  SQLite::Statement attach(database, "ATTACH ? AS other");
+  attach.bind(1, other.string());
+  attach.exec();
+  SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+  database.exec("INSERT INTO steps SELECT * FROM other.steps WHERE key NOT IN (SELECT key FROM results)");
+  database.exec("INSERT OR IGNORE INTO results SELECT * FROM other.results");
+  transaction.commit();
+}
+
+std::string swept_days_csv(const fs::path& file) {
+  return csv(file, "SELECT * FROM days JOIN results USING (key) ORDER BY run");
+}
+
+std::string swept_steps_csv(const fs::path& file) {
+  return csv(file, "SELECT run, steps.* FROM days JOIN steps USING (key) ORDER BY run, step");
+}
+
+std::vector<FinishedDay> read_finished(const fs::path& file) {
+  if (!fs::exists(file)) {
+    throw bad_input(file.string() + ": is not there; give a directory that `evbal sweep` wrote");
+  }
+  const SQLite::Database database = opened(file, SQLite::OPEN_READONLY);
+  SQLite::Statement rows(database, "SELECT * FROM days LEFT JOIN results USING (key) LEFT JOIN " + after_7_query() +
+                                       " USING (key) ORDER BY run");
+  std::vector<FinishedDay> days;
+  while (rows.executeStep()) {
+    if (rows.getColumn("digest").isNull()) {
+      throw bad_input(file.string() + ": run " + rows.getColumn("run").getString() +
+                      " is missing; run the sweep to its end first");
+    }
+    days.push_back(finished_day(rows));
+  }
+  return days;
+}
+
+}  // namespace evbal

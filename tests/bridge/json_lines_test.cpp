@@ -1,0 +1,110 @@
+#include "coordinator/bridge/json_lines.hpp"
+
+#include "common/error.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace evbal {
+namespace {
+
+/// Of three regions with two vacant cars and one low-battery car each; the fourth says nothing.
+std::vector<Report> reports() {
+  std::vector<Report> all(3);
+  for (int i = 0; i < 3; ++i) {
+    auto& report = all[static_cast<std::size_t>(i)];
+    report = {.tick = 4,
+              .region = i,
+              .vacant = 2,
+              .low_battery = 1,
+              .plugged_since = {3},
+              .bound = {{i, 25, Errand::charge, 1}},
+              .origin = {}};
+    report.origin.process_id = 4711;
+  }
+  return all;
+}
+
+void expect_refused(const std::string& line, const std::string& words) {
+  try {
+    read_answer(line, "line 9 of `me`", reports(), 4);
+    FAIL() << "was accepted: " << line;
+  } catch (const Error& error) {
+    EXPECT_TRUE(std::string(error.what()).starts_with("line 9 of `me`: ")) << error.what();
+    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+  }
+}
+
+std::string move(const std::string& fields) {
+  return R"({"moves": [{)" + fields + "}]}";
+}
+
+TEST(BridgeLines, AskWithEveryFieldButTheOrigin) {
+  const std::string line = question_line(4, reports());
+  EXPECT_EQ(line.find('\n'), std::string::npos);
+  const auto question = nlohmann::json::parse(line);
+  EXPECT_EQ(question.at("tick"), 4);
+  const auto& report = question.at("reports").at(2);
+  EXPECT_EQ(report.at("region"), 2);
+  EXPECT_EQ(report.at("vacant"), 2);
+  EXPECT_EQ(report.at("plugged_since"), nlohmann::json({3}));
+  EXPECT_EQ(report.at("bound").at(0).at("errand"), "charge");
+  EXPECT_EQ(report.at("bound").at(0).at("minute"), 25);
+  EXPECT_FALSE(report.contains("origin"));
+}
+
+TEST(BridgeLines, OpenWithTheCityAsTheScenarioHasIt) {
+  YamlMap scenario(
+      YamlValue::parse("city: toy-5\nday: \"2024-01-08\"\nseed: 7\n"
+                       "stations: [{name: a, region: 4, points: 9}]\n",
+                       "a.yaml"));
+  const World world = read_world(scenario);
+  const auto opening = nlohmann::json::parse(opening_line(world, "mine"));
+  EXPECT_EQ(opening.at("controller"), "mine");
+  EXPECT_EQ(opening.at("city").at("regions").at(4).at("points"), 9);
+  EXPECT_EQ(opening.at("city").at("km").at(1).at(2), world.city.km(1, 2));
+  EXPECT_EQ(opening.at("city").at("minutes").at(2).at(1), world.city.minutes(2, 1));
+  EXPECT_EQ(opening.at("clock").at("date"), "2024-01-08");
+  EXPECT_EQ(opening.at("clock").at("plan_every"), world.clock.plan_every);
+}
+
+TEST(BridgeLines, SortTheMoves) {
+  const auto moves = read_answer(R"({"moves": [{"from": 1, "to": 0, "count": 1, "errand": "charge"},
+                                               {"errand": "rebalance", "from": 2, "to": 1, "count": 1},
+                                               {"errand": "rebalance", "from": 2, "to": 0, "count": 1}]})",
+                                 "", reports(), 4);
+  ASSERT_EQ(moves.size(), 3U);
+  EXPECT_EQ(moves[0].to, 0);
+  EXPECT_EQ(moves[1].to, 1);
+  EXPECT_EQ(moves[2].errand, Errand::charge);
+  EXPECT_TRUE(read_answer(R"({"moves": []})", "", reports(), 4).empty());
+}
+
+TEST(BridgeLines, RefuseWhatIsNoPlan) {
+  expect_refused("", "not valid JSON");
+  expect_refused("[]", "an object is expected");
+  expect_refused(R"({"moves": {}})", "moves: a list is expected");
+  expect_refused(R"({"moves": [7]})", "moves[0]: an object is expected");
+  expect_refused(R"({"moves": [], "moves": []})", "`moves` is given twice");
+  expect_refused(move(R"("from": 0, "to": 1, "count": 1, "errand": "charge", "km": 3)"), "moves[0].km: is no key here");
+  expect_refused(move(R"("from": "0", "to": 1, "count": 1, "errand": "charge")"), "moves[0].from: a number");
+  expect_refused(move(R"("from": 0, "to": 1, "count": 0.5, "errand": "charge")"), "moves[0].count: a whole number");
+  expect_refused(move(R"("from": 0, "to": 1, "count": 1, "errand": "passenger")"), "moves[0].errand: `rebalance` or");
+}
+
+TEST(BridgeLines, RefuseWhatCannotBeDone) {
+  expect_refused(move(R"("from": 4, "to": 1, "count": 1, "errand": "charge")"), "moves[0].from: a region from 0 to 3");
+  expect_refused(move(R"("from": 3, "to": 1, "count": 1, "errand": "charge")"), "region 3 has 0 low-battery vehicles");
+  expect_refused(move(R"("from": 1, "to": 1, "count": 1, "errand": "charge")"), "moves[0].to: another region");
+  expect_refused(move(R"("from": 0, "to": 1, "count": 0, "errand": "charge")"), "moves[0].count: region 0 has 1");
+  expect_refused(move(R"("from": 0, "to": 1, "count": 3, "errand": "rebalance")"), "region 0 has 2 vacant");
+  expect_refused(R"({"moves": [{"from": 0, "to": 1, "count": 2, "errand": "rebalance"},
+                               {"from": 0, "to": 2, "count": 1, "errand": "rebalance"}]})",
+                 "moves[1].count: region 0 has 0 vacant vehicles left");
+  expect_refused(R"({"moves": [{"from": 0, "to": 1, "count": 1, "errand": "rebalance"},
+                               {"from": 0, "to": 1, "count": 1, "errand": "rebalance"}]})",
+                 "moves: rebalance from 0 to 1 is given twice");
+}
+
+}  // namespace
+}  // namespace evbal

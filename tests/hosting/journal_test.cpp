@@ -1,0 +1,74 @@
+#include "agents/hosting/journal.hpp"
+
+#include "common/error.hpp"
+#include "tests/folder.hpp"
+
+#include <gtest/gtest.h>
+
+namespace evbal {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Entries = std::vector<std::string>;
+
+class JournalTest : public testing::Test {
+ protected:
+  Entries entries() const { return Journal(file_).entries(); }
+
+  Folder folder_;
+  fs::path file_ = folder_.path() / "journal";
+};
+
+TEST_F(JournalTest, GivesBackWhatWasAppended) {
+  EXPECT_EQ(entries(), Entries{});
+  const Entries written = {"one", "", std::string("t\0w\no\n", 6)};
+  {
+    Journal journal(file_);
+    for (const auto& entry : written) {
+      journal.append(entry);
+    }
+    EXPECT_EQ(journal.entries(), Entries{});
+  }
+  EXPECT_EQ(entries(), written);
+  Journal(file_).append("three");
+  EXPECT_EQ(entries().back(), "three");
+}
+
+TEST_F(JournalTest, CutsOffWhatWasBeingWritten) {
+  Journal(file_).append("first\n");
+  const auto whole = fs::file_size(file_);
+  Journal(file_).append("second entry\n1 2\n");
+  const std::string both = text_of(file_);
+  for (std::size_t size = whole; size < both.size(); ++size) {
+    folder_.write("journal", both.substr(0, size));
+    EXPECT_EQ(entries(), Entries{"first\n"}) << size;
+    EXPECT_EQ(fs::file_size(file_), whole);
+    Journal(file_).append("again");
+    EXPECT_EQ(entries(), (Entries{"first\n", "again"}));
+  }
+}
+
+TEST_F(JournalTest, RefusesWhatWasNeverAppended) {
+  Journal(file_).append("first");
+  Journal(file_).append("second");
+  const std::string good = text_of(file_);
+  for (std::size_t at = 0; at < good.size(); ++at) {
+    std::string bad = good;
+    bad[at] = static_cast<char>(bad[at] ^ 1);
+    folder_.write("journal", bad);
+    try {
+      EXPECT_LT(entries().size(), 2U) << "byte " << at;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.status(), ExitStatus::run_failed);
+      EXPECT_NE(std::string(error.what()).find("is damaged"), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST_F(JournalTest, SaysThatItCannotBeOpened) {
+  EXPECT_THROW(Journal(folder_.path() / "nowhere" / "journal"), Error);
+}
+
+}  // namespace
+}  // namespace evbal

@@ -1,0 +1,51 @@
+// Holds what every source file of the tree keeps to.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace evbal {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Sources of the tree, tests and examples too.
+std::vector<fs::path> all_sources() {
+  std::vector<fs::path> found;
+  for (const char* top : {"agents", "common", "coordinator", "examples", "experiments", "faults", "tests", "tools"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(EVBAL_SOURCE_DIR) / top)) {
+      const auto extension = entry.path().extension();
+      if (extension == ".cpp" || extension == ".hpp" || extension == ".js" || extension == ".idl") {
+        found.push_back(entry.path());
+      }
+    }
+  }
+  return found;
+}
+
+TEST(Sources, AreShortEnoughToBeReadInOneGo) {
+  for (const auto& file : all_sources()) {
+    std::ifstream stream(file);
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 350) << file;
+  }
+}
+
+TEST(Sources, HeadersHaveNamesOfTheirOwn) {
+  std::map<std::string, fs::path> seen;
+  for (const auto& file : all_sources()) {
+    if (file.extension() == ".hpp") {
+      const auto [other, is_new] = seen.emplace(file.filename().string(), file);
+      EXPECT_TRUE(is_new) << file << " and " << other->second;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace evbal

@@ -1,0 +1,333 @@
+#include "coordinator/planning/receding_horizon_planner.hpp"
+
+#include "agents/protocol/bytes.hpp"
+#include "common/error.hpp"
+#include "common/random.hpp"
+#include "coordinator/balancing/controllers.hpp"
+#include "tests/planning/planner_fixture.hpp"
+#include "tests/planning/small_city.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <limits>
+#include <map>
+#include <set>
+
+namespace evbal {
+namespace {
+
+const std::string date = "2008-06-03";
+
+using testing::at;
+using testing::quiet_reports;
+using testing::Spy;
+
+TEST(RecedingHorizonPlanner, BuildsTheProblemFromReportsAndModel) {
+  const Spy spy;
+  RecedingHorizonPlanner coordinator(testing::small_city(), {}, date, {}, testing::small_model(), spy);
+  coordinator.plan(at(0), quiet_reports(0, 5));
+  EXPECT_EQ(spy.seen->transitions.size(), 2U);
+  EXPECT_EQ(spy.seen->state.vacant(2), 5.0);
+  EXPECT_EQ(spy.seen->demand.mean.size(), 6);
+  EXPECT_DOUBLE_EQ(spy.seen->demand.mean(0), 4.0);
+  EXPECT_DOUBLE_EQ(spy.seen->completions.mean(1), 1.0);
+  EXPECT_DOUBLE_EQ(spy.seen->completions.mean(2), 0.0) << "no points in the third region";
+  EXPECT_LT(spy.seen->completions.standard_deviation()(2), 0.01);
+  EXPECT_DOUBLE_EQ(spy.seen->demand.g2, 1.2);
+}
+
+TEST(RecedingHorizonPlanner, ForecastsFollowWhatIsReported) {
+  const Spy spy;
+  RecedingHorizonPlanner coordinator(testing::small_city(), {}, date, {}, testing::small_model(), spy);
+  for (int tick = 0; tick <= 6; tick += 2) {
+    auto reports = quiet_reports(tick, 5);
+    for (Report& report : reports) {
+      report.demand = tick == 0 ? 0 : 4;
+    }
+    coordinator.plan(at(tick), reports);
+  }
+  // 12 in half an hour against 4, everywhere; of an ARMA(1, 1) with 0.8 and -1/3, this share is left a step later.
+  const double left = 0.8 - 1.0 / 3.0 / ((1.0 - 1.6 / 3.0 + 1.0 / 9.0) / (1.0 - 0.64));
+  EXPECT_NEAR(spy.seen->demand.mean(0), 4.0 + left * 8.0, 1e-9);
+  EXPECT_NEAR(spy.seen->completions.mean(0), 1.0 - left, 1e-9);
+}
+
+TEST(RecedingHorizonPlanner, ExpectsWhatItIsToldOfDemand) {
+  const auto mean_under = [](const Effect& effect, int reported) {
+    const Spy spy;
+    RecedingHorizonPlanner coordinator(testing::small_city(), {}, date, {}, testing::small_model(), spy);
+    for (int tick = 0; tick <= 6; tick += 2) {
+      Tick announced = at(tick);
+      announced.effects = {effect};
+      auto reports = quiet_reports(tick, 5);
+      for (Report& report : reports) {
+        report.demand = report.region != effect.region ? 1 : tick == 0 ? 0 : reported;
+      }
+      coordinator.plan(announced, reports);
+    }
+    return spy.seen->demand.mean(effect.region);
+  };
+  const double usual = mean_under({.type = EffectType::charger_outage, .region = 1}, 4);
+  EXPECT_NEAR(mean_under({.type = EffectType::demand_scale, .region = 1, .magnitude = 2.0}, 8), 2.0 * usual, 1e-9);
+  EXPECT_NEAR(mean_under({.type = EffectType::demand_add, .region = 1, .magnitude = 36.0}, 10), usual + 18.0, 1e-9);
+  EXPECT_EQ(mean_under({.type = EffectType::demand_scale, .region = 1, .magnitude = 2.0, .visible = false}, 8),
+            mean_under({.type = EffectType::charger_outage, .region = 1}, 8));
+}
+
+/// Reports of what is usual in small_city(), every 10 minutes; `more` passengers in the second region.
+std::vector<Report> usual_reports(int tick, int more) {
+  auto reports = quiet_reports(tick, 5);
+  for (Report& report : reports) {
+    report.demand = tick == 0 ? 0 : (tick % 6 == 0 ? 2 : 1) + (report.region == 1 ? more : 0);
+    report.completions = tick > 0 && tick % 6 == 0 && report.region < 2 ? 1 : 0;
+  }
+  return reports;
+}
+
+TEST(RecedingHorizonPlanner, WidensTheSetWhereForecastsAreOff) {
+  const Spy spy;
+  PlanningSettings settings;
+  settings.innovation_test = true;
+  RecedingHorizonPlanner coordinator(testing::small_city(), {}, date, settings, testing::small_model(), spy);
+  RecedingHorizonPlanner untested(testing::small_city(), {}, date, {}, testing::small_model(), Spy{spy});
+  RecedingHorizonPlanner told(testing::small_city(), {}, date, settings, testing::small_model(), Spy{});
+  const auto at_day_start = [&] {
+    coordinator.plan(at(0), usual_reports(0, 0));
+    return spy.seen->demand.standard_deviation();
+  }();
+  double most = 1.0;
+  for (int tick = 2; tick <= 60; tick += 2) {
+    const int more = tick > 12 && tick <= 24 ? 12 : 0;
+    const auto reports = usual_reports(tick, more);
+    EXPECT_EQ(untested.plan(at(tick), reports).provenance.demand_widened, 1.0);
+    EXPECT_EQ(spy.seen->demand.standard_deviation(), at_day_start);
+    Tick announced = at(tick);
+    if (tick > 10 && tick <= 22) {
+      announced.effects = {{.type = EffectType::demand_add, .region = 1, .magnitude = 72.0}};
+    }
+    EXPECT_EQ(told.plan(announced, reports).provenance.demand_widened, 1.0)
+        << "what is announced is no normalised_innovation";
+    const Provenance made = coordinator.plan(at(tick), reports).provenance;
+    const Eigen::VectorXd factor = spy.seen->demand.standard_deviation().cwiseQuotient(at_day_start);
+    EXPECT_NEAR(factor.maxCoeff(), made.demand_widened, 1e-12);
+    EXPECT_NEAR(factor(1), factor(4), 1e-12) << "in every step";
+    EXPECT_EQ(made.completions_widened, 1.0);
+    most = std::max(most, made.demand_widened);
+    if (tick <= 12 || tick > 50) {
+      EXPECT_EQ(made.demand_widened, 1.0) << "before, and when it is over";
+    }
+  }
+  EXPECT_GT(most, 3.0);
+}
+
+TEST(RecedingHorizonPlanner, CountsOnThePointsThatWork) {
+  const Spy spy;
+  RecedingHorizonPlanner coordinator(testing::small_city(), {}, date, {}, testing::small_model(), spy);
+  auto reports = quiet_reports(0, 5);
+  reports[0].points = 2;
+  reports[1].points = 1;
+  coordinator.plan(at(0), reports);
+  EXPECT_EQ(spy.seen->free_points.mean.head(3), Eigen::Vector3d(2.0, 1.0, 0.0));
+  reports = quiet_reports(2, 5);
+  reports[1].points = 1;
+  coordinator.plan(at(2), reports);
+  EXPECT_EQ(spy.seen->free_points.mean.head(3), Eigen::Vector3d(0.0, 1.0, 0.0)) << "an outage is reported";
+  EXPECT_TRUE(spy.seen->points.row(0).isZero());
+}
+
+TEST(RecedingHorizonPlanner, ForeseesWhatItWasTold) {
+  const Spy spy;
+  const DayClock clock;
+  RecedingHorizonPlanner coordinator(testing::small_city(), clock, date, {}, testing::small_model(), spy);
+  Eigen::MatrixXd demand = Eigen::MatrixXd::Zero(3, clock.ticks());
+  demand.row(1).setLinSpaced(0.0, clock.ticks() - 1.0);
+  coordinator.foresee(demand);
+  coordinator.plan(at(2), quiet_reports(2, 5));
+  EXPECT_DOUBLE_EQ(spy.seen->demand.mean(0), 0.0);
+  EXPECT_DOUBLE_EQ(spy.seen->demand.mean(1), 2.0 + 3.0 + 4.0 + 5.0 + 6.0 + 7.0);
+  EXPECT_DOUBLE_EQ(spy.seen->demand.mean(4), 8.0 + 9.0 + 10.0 + 11.0 + 12.0 + 13.0);
+  EXPECT_LT(spy.seen->demand.standard_deviation().maxCoeff(), 0.01);
+  const int last = clock.ticks() - 2;
+  coordinator.plan(at(last), quiet_reports(last, 5));
+  EXPECT_DOUBLE_EQ(spy.seen->demand.mean(1), last + last + 1.0) << "nothing after the day";
+}
+
+TEST(RecedingHorizonPlanner, TakesOverFromAnother) {
+  int solves = 0;
+  const Balancer fails_from_the_fourth_on = [&solves](const std::string&, const PlanningData& data, const auto&) {
+    BalancingResult result;
+    result.certificate.optimal = ++solves <= 3;
+    result.certificate.objective = data.demand.mean.sum();
+    result.dispatch.vacant = {{{0, 1, 1.0 * solves}}, {{1, 2, 2.0}}, {{2, 0, 3.0}}};
+    return result;
+  };
+  PlanningSettings settings;
+  settings.controller = "nominal";
+  settings.innovation_test = true;
+  const auto made = [&] {
+    return RecedingHorizonPlanner(testing::small_city(), {}, date, settings, testing::small_model(),
+                                  fails_from_the_fourth_on);
+  };
+  const auto reports = [](int tick) {
+    auto list = quiet_reports(tick, 9);
+    list[1].demand = tick;
+    list.resize(tick < 4 ? 3 : 2);  // the third is estimated, from the plans too
+    return list;
+  };
+  RecedingHorizonPlanner first = made();
+  std::vector<std::string> plans;
+  std::vector<std::string> memories;
+  for (int tick = 0; tick < 12; tick += 2) {
+    plans.push_back(to_bytes(first.plan(at(tick), reports(tick))));
+    memories.push_back(first.memory());
+  }
+  for (std::size_t known = 0; known < plans.size(); ++known) {
+    RecedingHorizonPlanner second = made();
+    solves = static_cast<int>(known);
+    for (std::size_t i = 0; i < plans.size(); ++i) {
+      const int tick = 2 * static_cast<int>(i);
+      if (i < known) {
+        second.recall(at(tick), reports(tick), memories[i]);
+      } else {
+        EXPECT_EQ(to_bytes(second.plan(at(tick), reports(tick))), plans[i]) << known << " recalled, plan " << i;
+      }
+    }
+  }
+}
+
+Provenance provenance_under(const Effect& effect, const std::string& controller, const std::string& engine) {
+  PlanningSettings settings;
+  settings.controller = controller;
+  settings.engine.name = engine;
+  RecedingHorizonPlanner coordinator(testing::small_city(), {}, date, settings, testing::small_model());
+  Tick tick = at(0);
+  tick.effects = {effect};
+  return coordinator.plan(tick, quiet_reports(0, 5)).provenance;
+}
+
+TEST(RecedingHorizonPlanner, GoesDownTheLadderWhenTheEngineFails) {
+  const Effect fail{.type = EffectType::solver_fail, .region = no_region};
+  for (const std::string engine : {"ipopt", "cuts"}) {
+    const Provenance failed = provenance_under(fail, "robust", engine);
+    EXPECT_EQ(failed.fallback, FallbackLevel::hold);
+    EXPECT_NE(failed.reason.find("by a fault"), std::string::npos) << failed.reason;
+    const Effect starve{.type = EffectType::solver_starve, .region = no_region, .magnitude = 1.0};
+    const Provenance starved = provenance_under(starve, "robust", engine);
+    EXPECT_LE(starved.iterations, 1) << engine;
+    EXPECT_EQ(starved.fallback, engine == "ipopt" ? FallbackLevel::hold : FallbackLevel::none)
+        << "one linear program may do";
+    const Effect plenty{.type = EffectType::solver_starve, .region = no_region, .magnitude = 1e6};
+    EXPECT_EQ(provenance_under(plenty, "robust", engine).fallback, FallbackLevel::none);
+  }
+  EXPECT_EQ(provenance_under(fail, "greedy", "ipopt").fallback, FallbackLevel::none) << "solves nothing";
+}
+
+TEST(RecedingHorizonPlanner, RefusesAModelThatDoesNotFit) {
+  City four = testing::small_city();
+  four.regions.resize(4);
+  four.km = four.minutes = Eigen::MatrixXd::Ones(4, 4);
+  EXPECT_THROW(RecedingHorizonPlanner(four, {}, date, {}, testing::small_model(), Spy{}), Error);
+  PlanningSettings far;
+  far.balancing.tau = 3;
+  EXPECT_THROW(RecedingHorizonPlanner(testing::small_city(), {}, date, far, testing::small_model(), Spy{}), Error);
+  EXPECT_THROW(RecedingHorizonPlanner(testing::small_city(), {.step = 60}, date, {}, testing::small_model(), Spy{}),
+               Error);
+}
+
+// By both engines: what the coordinator does when its controller fails, then nominal too, and goes on failing.
+TEST(RecedingHorizonPlanner, ComesDownTheLadderAndUpAgain) {
+  for (const std::string& engine : engine_names()) {
+    PlanningSettings settings;
+    settings.engine.name = engine;
+    std::set<std::string> failing;
+    RecedingHorizonPlanner coordinator(
+        testing::small_city(), {}, date, settings, testing::small_model(),
+        [&failing, solve = balancer_of(settings)](const std::string& controller, const PlanningData& data,
+                                                  const EngineSettings& given) {
+          return failing.contains(controller) ? BalancingResult{} : solve(controller, data, given);
+        });
+    const auto level_of = [&](int tick, const std::set<std::string>& fail) {
+      failing = fail;
+      const Plan plan = coordinator.plan(at(tick), quiet_reports(tick, 5));
+      EXPECT_EQ(plan.provenance.controller, "robust");
+      EXPECT_EQ(plan.provenance.reason.empty(), fail.empty());
+      EXPECT_LE(plan.provenance.gap, 1e-6);
+      EXPECT_EQ(plan.provenance.engine, plan.provenance.fallback <= FallbackLevel::nominal ? engine : "");
+      return plan.provenance.fallback;
+    };
+    EXPECT_EQ(level_of(0, {}), FallbackLevel::none) << engine;
+    EXPECT_EQ(level_of(2, {"robust"}), FallbackLevel::nominal) << engine;
+    EXPECT_EQ(level_of(4, {"robust", "nominal"}), FallbackLevel::shifted) << engine;
+    EXPECT_EQ(level_of(6, {"robust", "nominal"}), FallbackLevel::hold) << engine;
+    EXPECT_EQ(level_of(8, {}), FallbackLevel::none) << engine;
+  }
+}
+
+TEST(RecedingHorizonPlanner, HoldsWithoutIterationsToSpend) {
+  for (const std::string& engine : engine_names()) {
+    PlanningSettings settings;
+    settings.engine = {.name = engine, .max_iterations = 1};
+    RecedingHorizonPlanner coordinator(testing::small_city(), {}, date, settings, testing::small_model());
+    auto reports = quiet_reports(0, 5);
+    reports[0].low_battery = reports[0].points = 3;
+    const Plan plan = coordinator.plan(at(0), reports);
+    EXPECT_EQ(plan.provenance.fallback, FallbackLevel::hold) << engine;
+    EXPECT_TRUE(plan.moves.empty());
+    EXPECT_NE(plan.provenance.reason.find("nominal: "), std::string::npos) << plan.provenance.reason;
+  }
+}
+
+TEST(RecedingHorizonPlanner, PlansByAControllerOfOnesOwn) {
+  PlanningSettings settings;
+  settings.controller = "mine";
+  const Controller mine{"mine", [](const auto&, const PlanningData& data, const auto&) {
+                          Dispatch dispatch{.vacant = {{{0, 2, data.state.vacant(0)}}}, .low_battery = {{}}};
+                          return by_rule(dispatch);
+                        }};
+  RecedingHorizonPlanner coordinator(testing::small_city(), {}, date, settings, testing::small_model(),
+                                     balancer_of(settings, {mine}));
+  const Plan plan = coordinator.plan(at(0), quiet_reports(0, 5));
+  EXPECT_EQ(plan.provenance.controller, "mine");
+  ASSERT_EQ(plan.moves.size(), 1U);
+  EXPECT_EQ(plan.moves[0].to, 2);
+  EXPECT_EQ(plan.moves[0].count, 5);
+}
+
+RC_GTEST_PROP(RecedingHorizonPlannerProperty, NeverSendsMoreThanARegionHas, (std::uint64_t seed)) {
+  RandomStream random(seed, Purpose::fleet, {});
+  for (const std::string& controller : controller_names()) {
+    PlanningSettings settings;
+    settings.controller = controller;
+    settings.engine.name = "cuts";
+    RecedingHorizonPlanner coordinator(testing::small_city(), {}, date, settings, testing::small_model());
+    auto reports = quiet_reports(0, 0);
+    for (Report& report : reports) {
+      report.vacant = static_cast<int>(random.below(20));
+      report.low_battery = static_cast<int>(random.below(5));
+      report.points = static_cast<int>(random.below(3));
+      report.plugged = static_cast<int>(random.below(static_cast<std::uint64_t>(report.points) + 1));
+      report.bound = {{report.region, 7, Errand::passenger, static_cast<int>(random.below(4))}};
+    }
+    const Plan plan = coordinator.plan(at(0), reports);
+    RC_ASSERT(plan.provenance.fallback == FallbackLevel::none);
+    std::map<std::pair<Errand, int>, int> sent;
+    for (std::size_t m = 0; m < plan.moves.size(); ++m) {
+      const Move& move = plan.moves[m];
+      RC_ASSERT(move.count >= 1 && move.from != move.to);
+      sent[{move.errand, move.from}] += move.count;
+      if (m > 0) {
+        const Move& before = plan.moves[m - 1];
+        RC_ASSERT(std::tie(before.errand, before.from, before.to) < std::tie(move.errand, move.from, move.to));
+      }
+    }
+    for (const Report& report : reports) {
+      const int vacant = sent[{Errand::rebalance, report.region}];
+      const int low_battery = sent[{Errand::charge, report.region}];
+      RC_ASSERT(vacant <= report.vacant && low_battery <= report.low_battery);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace evbal

@@ -1,0 +1,75 @@
+#include "tools/records/text_lines.hpp"
+
+#include "tests/folder.hpp"
+#include "tests/packed.hpp"
+
+#include <gtest/gtest.h>
+
+namespace evbal {
+namespace {
+
+/// Longer than the reader's buffer, and not so even that it would vanish in compression.
+std::string long_text() {
+  std::string text;
+  for (int i = 0; i < 30'000; ++i) {
+    text += std::to_string(i * 7919 % 10'007) + "," + std::to_string(i) + "\n";
+  }
+  return text;
+}
+
+TEST(LineReader, ReadsPlainAndCompressedAlike) {
+  const Folder folder;
+  const std::string text = long_text();
+  EXPECT_EQ(unpacked_text(folder.write("a.csv", text)), text);
+  EXPECT_EQ(unpacked_text(folder.write("a.csv.gz", packed(text, "gzip"))), text);
+  EXPECT_EQ(unpacked_text(folder.write("a.csv.xz", packed(text, "xz"))), text);
+  EXPECT_EQ(unpacked_text(folder.write("empty.csv", "")), "");
+  EXPECT_EQ(unpacked_text(folder.write("empty.csv.gz", packed("", "gzip"))), "");
+}
+
+TEST(LineReader, TakesLinesOfWindowsAndAnOpenLastLine) {
+  const Folder folder;
+  LineReader lines(folder.write("a.csv", "a,b\r\n\nlast"));
+  std::string line;
+  ASSERT_TRUE(lines.next(line));
+  EXPECT_EQ(line, "a,b");
+  ASSERT_TRUE(lines.next(line));
+  EXPECT_EQ(line, "");
+  ASSERT_TRUE(lines.next(line));
+  EXPECT_EQ(line, "last");
+  EXPECT_FALSE(lines.next(line));
+}
+
+TEST(LineReader, RefusesATruncatedFile) {
+  const Folder folder;
+  for (const std::string how : {"gzip", "xz"}) {
+    const std::string whole = packed(long_text(), how);
+    for (const std::size_t size : {whole.size() / 20, whole.size() / 2, whole.size() - 1}) {
+      const auto file = folder.write("a.csv." + how, whole.substr(0, size));
+      try {
+        unpacked_text(file);
+        FAIL() << how << " was accepted, cut after " << size;
+      } catch (const Error& error) {
+        EXPECT_EQ(error.status(), ExitStatus::bad_input);
+        EXPECT_TRUE(std::string(error.what()).starts_with(file.string() + ":")) << error.what();
+      }
+    }
+  }
+  EXPECT_THROW(unpacked_text(folder.path() / "missing"), Error);
+}
+
+TEST(LineReader, RefusesWhatHasNoLines) {
+  const Folder folder;
+  LineReader lines(folder.write("a.csv", "short\n" + std::string(100'000, 'x') + "\n"), 50'000);
+  std::string line;
+  ASSERT_TRUE(lines.next(line));
+  EXPECT_THROW(lines.next(line), Error);
+}
+
+TEST(SplitCsv, KeepsCommasInQuotes) {
+  EXPECT_EQ(split_csv("a,\"b, c\",,\"say \"\"d\"\"\""), (std::vector<std::string>{"a", "b, c", "", "say \"d\""}));
+  EXPECT_EQ(split_csv(""), std::vector<std::string>{""});
+}
+
+}  // namespace
+}  // namespace evbal

@@ -1,0 +1,125 @@
+#include "experiments/study/statistics/intervals.hpp"
+
+#include "experiments/study/statistics/front.hpp"
+#include "experiments/study/statistics/ranks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+namespace evbal {
+namespace {
+
+/// What R made of the same numbers (intervals.R), by kind of line.
+class AgainstR : public ::testing::Test {
+ protected:
+  AgainstR() {
+    std::ifstream file(EVBAL_SOURCE_DIR "/tests/study/intervals.csv");
+    for (std::string line; std::getline(file, line);) {
+      std::istringstream cells(line);
+      std::string kind;
+      std::getline(cells, kind, ',');
+      std::vector<double> numbers;
+      for (std::string cell; std::getline(cells, cell, ',');) {
+        numbers.push_back(std::stod(cell));
+      }
+      lines_[kind].push_back(numbers);
+    }
+  }
+
+  std::vector<DayValue> values() const {
+    std::vector<DayValue> all;
+    for (const auto& line : lines_.at("value")) {
+      all.push_back({std::to_string(line[0]), line[1]});
+    }
+    return all;
+  }
+
+  std::map<std::string, std::vector<std::vector<double>>> lines_;
+};
+
+void expect_near(const Interval& interval, const std::vector<double>& expected, double tolerance) {
+  EXPECT_NEAR(interval.mean, expected[0], 1e-12);
+  EXPECT_NEAR(interval.low, expected[1], tolerance);
+  EXPECT_NEAR(interval.high, expected[2], tolerance);
+}
+
+TEST_F(AgainstR, IntervalsAgree) {
+  expect_near(t_interval(values()), lines_.at("t").at(0), 1e-12);
+  const Interval bootstrap = bootstrap_interval(values());
+  expect_near(bootstrap, lines_.at("bootstrap").at(0), 0.02 * (bootstrap.high - bootstrap.low));
+}
+
+TEST_F(AgainstR, TestsAgree) {
+  EXPECT_NEAR(t_test(values()) / lines_.at("p").at(0).at(0), 1.0, 1e-9);
+  std::vector<DayValue> shifted = values();
+  for (auto& value : shifted) {
+    value.value += 0.19;
+  }
+  EXPECT_NEAR(t_test(shifted), lines_.at("p").at(1).at(0), 1e-12);
+  const auto adjusted = holm(lines_.at("family").at(0));
+  ASSERT_EQ(adjusted.size(), 6);
+  for (std::size_t i = 0; i < adjusted.size(); ++i) {
+    EXPECT_NEAR(adjusted[i], lines_.at("holm").at(0).at(i), 1e-15);
+  }
+}
+
+TEST_F(AgainstR, RankCorrelationsAgree) {
+  const std::vector<double> x = lines_.at("ranks_x").at(0);
+  EXPECT_NEAR(rank_correlation(x, lines_.at("ranks_y").at(0)), lines_.at("ranks").at(0).at(0), 1e-12);
+  EXPECT_EQ(rank_correlation(x, std::vector<double>(x.size(), 1.0)), 0.0);
+}
+
+TEST_F(AgainstR, QuantilesOfStudentsTAgree) {
+  ASSERT_EQ(lines_.at("student").size(), 6);
+  for (const auto& line : lines_.at("student")) {
+    EXPECT_NEAR(student_t(line[0], static_cast<int>(line[1])), line[2], 1e-9 * line[2]) << line[1];
+  }
+}
+
+TEST_F(AgainstR, FrontsAreInterpolatedAndNotExtrapolated) {
+  std::vector<FrontPoint> front;
+  for (const auto& line : lines_.at("point")) {
+    front.push_back({line[0], line[1]});
+  }
+  ASSERT_EQ(lines_.at("at").size() + lines_.at("outside").size(), 7);
+  for (const auto& line : lines_.at("at")) {
+    ASSERT_TRUE(value_at(front, line[0])) << line[0];
+    EXPECT_NEAR(*value_at(front, line[0]), line[1], 1e-9) << line[0];
+  }
+  for (const auto& line : lines_.at("outside")) {
+    EXPECT_FALSE(value_at(front, line[0])) << line[0];
+  }
+}
+
+TEST(Intervals, CountADayOnceHoweverManySeedsItHas) {
+  const std::vector<DayValue> even = {{"a", 1}, {"b", 3}};
+  const std::vector<DayValue> uneven = {{"a", 1}, {"b", 2}, {"b", 3}, {"b", 4}};
+  EXPECT_EQ(t_interval(even).mean, 2.0);
+  EXPECT_EQ(t_interval(uneven).mean, 2.0);
+  EXPECT_DOUBLE_EQ(t_interval(uneven).high, t_interval(even).high);
+  EXPECT_EQ(bootstrap_interval(uneven).low, 1.0);
+  EXPECT_EQ(bootstrap_interval(uneven).high, 3.0);
+}
+
+TEST(Intervals, OfOneDayAreInfinite) {
+  const std::vector<DayValue> one = {{"a", 1}, {"a", 2}};
+  EXPECT_EQ(t_interval(one).mean, 1.5);
+  EXPECT_TRUE(std::isinf(t_interval(one).low));
+  EXPECT_TRUE(std::isinf(bootstrap_interval(one).high));
+  EXPECT_EQ(t_test(one), 1.0);
+}
+
+TEST(Front, TakesTheLowestOfEqualCosts) {
+  const std::vector<FrontPoint> front = {{2, 9}, {1, 8}, {2, 4}, {3, 2}, {1, 6}};
+  EXPECT_EQ(value_at(front, 1), 6);
+  EXPECT_EQ(value_at(front, 1.5), 5);
+  EXPECT_EQ(value_at(front, 2.5), 3);
+  EXPECT_FALSE(value_at({}, 1));
+}
+
+}  // namespace
+}  // namespace evbal

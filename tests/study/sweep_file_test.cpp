@@ -1,0 +1,127 @@
+#include "experiments/study/store/sweep_file.hpp"
+
+#include "experiments/study/store/finished_steps.hpp"
+#include "experiments/study/store/sweep_origin.hpp"
+#include "tests/folder.hpp"
+
+#include <gtest/gtest.h>
+
+namespace evbal {
+namespace {
+
+Sweep small_sweep() {
+  const auto day = [](const std::string& variant, std::uint64_t seed, std::map<std::string, std::string> settings) {
+    return SweptDay{.scenario = "toy",
+                    .variant = variant,
+                    .controller = "ratio",
+                    .faults = "calm",
+                    .day = "2024-01-11",
+                    .seed = seed,
+                    .settings = std::move(settings),
+                    .yaml = YamlValue::parse("{}", "a.yaml")};
+  };
+  return {{"balancing.p_ratio", "x"},
+          {day("a", 1, {{"balancing.p_ratio", "10"}}), day("a", 2, {{"balancing.p_ratio", "10"}}),
+           day("b", 18446744073709551615ULL, {{"x", "[1, 2]"}})}};
+}
+
+DayResult small_result(int lost) {
+  DayResult result;
+  result.metrics.totals.flows.lost = lost;
+  result.metrics.totals.idle_km = 0.1;
+  result.metrics.steps = {{.step = 0, .idle_km = 1.0}, {.step = 1, .idle_km = 2.0}, {.step = 4, .idle_km = 0.5}};
+  result.digest = "d" + std::to_string(lost);
+  return result;
+}
+
+class SweepFileOf3 : public ::testing::Test {
+ protected:
+  void add(const std::string& key, int lost) const { add_result(file_, key, {}, small_result(lost)); }
+
+  Folder folder_;
+  std::filesystem::path file_ = folder_.path() / "sweep.sqlite";
+};
+
+TEST_F(SweepFileOf3, SaysTheSameInWhateverOrderDaysEnd) {
+  EXPECT_TRUE(begin_sweep(file_, small_sweep(), {"k1", "k2", "k3"}).empty());
+  add("k3", 30);
+  EXPECT_EQ(begin_sweep(file_, small_sweep(), {"k1", "k2", "k3"}), (std::set<std::string>{"k3"}));
+  EXPECT_THROW(read_finished(file_), Error);
+  add("k1", 10);
+  add("k2", 20);
+  const std::string days = swept_days_csv(file_);
+  EXPECT_TRUE(days.starts_with("run,scenario,variant,controller,faults,day,seed,balancing.p_ratio,x,idle_km,")) << days;
+  EXPECT_NE(days.find("\n1,toy,a,ratio,calm,2024-01-11,1,10,,0.1,"), std::string::npos) << days;
+  EXPECT_NE(days.find("\n3,toy,b,ratio,calm,2024-01-11,18446744073709551615,,\"[1, 2]\",0.1,"), std::string::npos)
+      << days;
+  EXPECT_LT(days.find(",d10\n"), days.find(",d20\n"));
+  const std::string steps = swept_steps_csv(file_);
+  EXPECT_TRUE(steps.starts_with("run,start,step,idle_km,")) << steps;
+  EXPECT_NE(steps.find("\n3,05:30,1,"), std::string::npos) << steps;
+}
+
+TEST_F(SweepFileOf3, GivesFinishedDaysBack) {
+  begin_sweep(file_, small_sweep(), {"k1", "k2", "k2"});
+  add("k1", 10);
+  add("k2", 20);
+  const auto days = read_finished(file_);
+  ASSERT_EQ(days.size(), 3U);
+  EXPECT_EQ(days[0].variant, "a");
+  EXPECT_EQ(days[0].controller, "ratio");
+  EXPECT_EQ(days[0].totals.at("lost"), 10.0);
+  EXPECT_EQ(days[2].totals.at("lost"), 20.0);
+  EXPECT_EQ(days[2].totals.at("idle_km"), 0.1);
+  EXPECT_EQ(days[2].totals.at("idle_km_after_7"), 0.5);
+  EXPECT_EQ(days[2].seed, 18446744073709551615ULL);
+  EXPECT_EQ(days[2].settings.at("x"), "[1, 2]");
+}
+
+TEST_F(SweepFileOf3, GivesStepsBack) {
+  begin_sweep(file_, small_sweep(), {"k1", "k2", "k1"});
+  DayResult result = small_result(1);
+  result.metrics.steps[1].flows.lost = 3;
+  add_result(file_, "k1", {}, result);
+  add_result(file_, "k2", {}, small_result(1));
+  const auto days = read_finished_steps(file_, {"idle_km", "lost"});
+  ASSERT_EQ(days.size(), 3U);
+  EXPECT_EQ(days[2].starts, (std::vector<std::string>{"05:00", "05:30", "07:00"}));
+  EXPECT_EQ(days[2].columns.at("lost"), (std::vector<double>{0.0, 3.0, 0.0}));
+  EXPECT_EQ(days[1].columns.at("lost"), (std::vector<double>{0.0, 0.0, 0.0}));
+  EXPECT_THROW(read_finished_steps(file_, {"luck"}), Error);
+}
+
+TEST_F(SweepFileOf3, SaysWhatItWasMadeFrom) {
+  begin_sweep(file_, small_sweep(), {"k1", "k2", "k3"});
+  EXPECT_THROW(read_origin(file_), Error);
+  note_origin(file_, {.command = "c", .file = "a.yaml", .text = "old", .scenario = "s"});
+  note_origin(file_, {.command = "c", .file = "a.yaml", .text = "new", .scenario = "s"});
+  const SweepOrigin origin = read_origin(file_);
+  EXPECT_EQ(origin.command, "c");
+  EXPECT_EQ(origin.file, "a.yaml");
+  EXPECT_EQ(origin.text, "new");
+  EXPECT_EQ(origin.scenario, "s");
+}
+
+TEST_F(SweepFileOf3, TakesOverResultsOfOtherFilesOnce) {
+  begin_sweep(file_, small_sweep(), {"k1", "k2", "k2"});
+  add("k1", 10);
+  const auto other = folder_.path() / "it's other.sqlite";
+  begin_results(other);
+  add_result(other, "k2", {}, small_result(20));
+  merge_result(file_, other);
+  const std::string days = swept_days_csv(file_);
+  const std::string steps = swept_steps_csv(file_);
+  merge_result(file_, other);
+  EXPECT_EQ(read_finished(file_).at(2).totals.at("lost"), 20.0);
+  EXPECT_EQ(swept_days_csv(file_), days);
+  EXPECT_EQ(swept_steps_csv(file_), steps);
+}
+
+TEST_F(SweepFileOf3, RefusesAnotherFile) {
+  folder_.write("sweep.sqlite", "dear diary");
+  EXPECT_THROW(begin_sweep(file_, small_sweep(), {"k1", "k2", "k3"}), Error);
+  EXPECT_THROW(read_finished(folder_.path() / "none.sqlite"), Error);
+}
+
+}  // namespace
+}  // namespace evbal

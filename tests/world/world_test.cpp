@@ -1,0 +1,106 @@
+#include "agents/world/world.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+
+namespace evbal {
+namespace {
+
+const std::string smallest = "city: toy-5\nday: \"2024-01-08\"\nseed: 7\n";
+
+World read(const std::string& text) {
+  YamlMap map(YamlValue::parse(text, "a.yaml"));
+  World world = read_world(map);
+  map.finish();
+  return world;
+}
+
+void expect_refused(const std::string& extra, const std::string& place, const std::string& word) {
+  try {
+    read(smallest + extra);
+    FAIL() << "was accepted: " << extra;
+  } catch (const Error& error) {
+    EXPECT_EQ(error.status(), ExitStatus::bad_input);
+    EXPECT_TRUE(std::string(error.what()).starts_with(place + ": ")) << error.what();
+    EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
+  }
+}
+
+TEST(World, TakesThePackAsItIs) {
+  const World world = read(smallest);
+  EXPECT_EQ(world.city.size(), 5);
+  EXPECT_EQ(world.day.date, "2024-01-08");
+  EXPECT_EQ(world.seed, 7U);
+  EXPECT_EQ(world.demand, DemandModel::recorded);
+  EXPECT_EQ(world.clock.start, world.city.day_start);
+  EXPECT_GT(world.city.fleet.vehicles, 0);
+}
+
+TEST(World, EveryAssumptionCanBeOverridden) {
+  const World world = read(smallest + R"(
+demand: poisson
+clock: {start: "06:00", end: "09:00", tick: 2min, step: 30min, plan_every: 10min}
+fleet: {vehicles: 12, battery_kwh: 33.3, km_per_kwh: 6.1, initial_charge: [0.25, 0.5]}
+charging: {power_kw: 22, session_quantiles: [5min, 0.5h, 1h]}
+passengers: {patience: [3min, 4.5min]}
+stations:
+  - {name: "the \"hub\"", region: 4, points: 9}
+  - {name: corner, region: r1, points: 0}
+)");
+  EXPECT_EQ(world.demand, DemandModel::poisson);
+  EXPECT_EQ(world.clock.minutes(), 180);
+  EXPECT_EQ(world.clock.tick, 2);
+  EXPECT_EQ(world.city.fleet.vehicles, 12);
+  EXPECT_EQ(world.city.fleet.initial_charge_high, 0.5);
+  EXPECT_EQ(world.city.charging.session_quantiles, (std::vector<double>{5.0, 30.0, 60.0}));
+  EXPECT_EQ(world.city.passengers.patience_high, 4.5);
+  ASSERT_EQ(world.city.stations.size(), 2U);
+  EXPECT_EQ(world.city.points()[4], 9);
+  EXPECT_EQ(world.city.stations[1].region, 0);
+}
+
+TEST(World, ComesBackFromItsText) {
+  const std::string text = world_yaml(read(smallest + "fleet: {km_per_kwh: 5.4321}\nclock: {end: \"11:00\"}\n"));
+  EXPECT_NE(text.find("city: \"toy-5\""), std::string::npos) << text;
+  const World again = read(text);
+  EXPECT_EQ(world_yaml(again), text);
+  EXPECT_EQ(again.city.fleet.km_per_kwh, 5.4321);
+  EXPECT_EQ(again.clock.end, 11 * 60);
+  ASSERT_FALSE(again.city.stations.empty());
+  const World pack = read(smallest);
+  EXPECT_EQ(again.city.stations[0].place.lat, pack.city.stations[0].place.lat);
+}
+
+TEST(World, RefusesWhatDoesNotFit) {
+  expect_refused("fleet: {vehicels: 3}\n", "a.yaml:4", "did you mean `vehicles`");
+  expect_refused("fleet: {vehicles: -3}\n", "a.yaml:4", "from 0");
+  expect_refused("fleet: {initial_charge: [0.9, 0.3]}\n", "a.yaml:4", "low not above high");
+  expect_refused("charging: {session_quantiles: [20min, 10min]}\n", "a.yaml:4", "ascending");
+  expect_refused("passengers: {patience: [8, 20]}\n", "a.yaml:4", "duration");
+  expect_refused("clock: {tick: 7min}\n", "a.yaml:4", "tick must divide");
+  expect_refused("clock: {start: \"04:00\"}\n", "a.yaml:4", "records");
+  expect_refused("demand: guessed\n", "a.yaml:4", "recorded");
+  expect_refused("stations:\n  - {name: a, region: 5, points: 2}\n", "a.yaml:5", "from 0 to 4");
+  expect_refused("stations:\n  - {name: a, region: nowhere, points: 2}\n", "a.yaml:5", "not known");
+  expect_refused("stations:\n  - {name: a, region: 1, points: 2}\n  - {name: a, region: 2, points: 2}\n", "a.yaml:6",
+                 "twice");
+}
+
+TEST(World, RefusesUnknownCitiesAndDays) {
+  const auto refused = [](const std::string& text, const std::string& place) {
+    try {
+      read(text);
+      FAIL() << "was accepted: " << text;
+    } catch (const Error& error) {
+      EXPECT_TRUE(std::string(error.what()).starts_with(place)) << error.what();
+    }
+  };
+  refused("city: atlantis\nday: \"2024-01-08\"\nseed: 7\n", "a.yaml:1: ");
+  refused("city: toy-5\nday: \"2031-01-08\"\nseed: 7\n", "a.yaml:2: ");
+  refused("city: toy-5\nday: \"2024-01-08\"\n", "a.yaml:1: ");
+}
+
+}  // namespace
+}  // namespace evbal

@@ -1,0 +1,86 @@
+#include "tools/evbal/compare_command.hpp"
+
+#include "experiments/study/statistics/comparison.hpp"
+#include "experiments/study/store/sweep_file.hpp"
+#include "tools/evbal/console_table.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+namespace evbal {
+namespace {
+
+std::string number(double value, int digits, bool sign) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), sign ? "%+.*f" : "%.*f", digits, value);
+  return text.data();
+}
+
+/// Relative differences in per cent; where there are none, the plain ones.
+struct Shown {
+  double factor;
+  const char* unit;
+
+  std::string mean(const Interval& interval) const { return number(factor * interval.mean, 1, true) + unit; }
+  std::string range(const Interval& interval) const {
+    return number(factor * interval.low, 1, true) + " .. " + number(factor * interval.high, 1, true);
+  }
+};
+
+std::vector<std::string> cells_of(const Compared& row, const Question& question) {
+  const std::string outside = std::to_string(row.outside);
+  if (row.pairs == 0) {
+    return {"", "", "", "", "", "", "", "", "0", outside};
+  }
+  const Shown shown = row.relative ? Shown{100.0, " %"} : Shown{1.0, ""};
+  const Interval& interval = row.relative ? row.by_t : row.difference;
+  return {question.at ? number(row.at, 0, false) : "",
+          number(row.value, 1, false),
+          number(row.reference, 1, false),
+          shown.mean(interval),
+          shown.range(interval),
+          row.relative ? shown.range(row.by_bootstrap) : "",
+          number(row.p, 4, false),
+          number(row.p_holm, 4, false),
+          std::to_string(row.pairs),
+          outside};
+}
+
+std::string table_of(const std::vector<Compared>& rows, const Question& question) {
+  std::vector<std::vector<std::string>> table = {{"scenario", "faults", "variant", "settings", question.at.value_or(""),
+                                                  question.metric, question.reference, "difference", "95 % by t",
+                                                  "95 % by bootstrap", "p", "p, Holm", "pairs", "outside"}};
+  for (const auto& row : rows) {
+    table.push_back({row.scenario, row.faults, row.variant, row.settings.empty() ? "all together" : row.settings});
+    const auto more = cells_of(row, question);
+    table.back().insert(table.back().end(), more.begin(), more.end());
+  }
+  return aligned(table, 4);
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app) {
+  struct Arguments {
+    std::filesystem::path folder;
+    Question question;
+  };
+  const auto arguments = std::make_shared<Arguments>();
+  Question& question = arguments->question;
+  question.metric = "lost";
+  CLI::App* command = app.add_subcommand("compare", "Compare the variants of a finished sweep, paired by day and seed");
+  command->add_option("DIR", arguments->folder, "Directory that `evbal sweep` wrote")->required();
+  command->add_option("--against", question.reference, "Variant to compare the others with")->required();
+  command->add_option("--metric", question.metric, "What is compared; `lost` unless given");
+  command->add_option("--at", question.at, "Metric at whose equal values, along the reference's front: `idle_km`");
+  command->callback([arguments] {
+    const auto days = read_finished(arguments->folder / "sweep.sqlite");
+    std::printf("%s", table_of(compare(days, arguments->question), arguments->question).c_str());
+  });
+}
+
+}  // namespace evbal

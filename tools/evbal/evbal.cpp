@@ -1,0 +1,51 @@
+#include "agents/world/world.hpp"
+#include "common/error.hpp"
+#include "common/pin.hpp"
+#include "tools/evbal/compare_command.hpp"
+#include "tools/evbal/doctor_command.hpp"
+#include "tools/evbal/fit_command.hpp"
+#include "tools/evbal/ingest_command.hpp"
+#include "tools/evbal/replay_command.hpp"
+#include "tools/evbal/report_command.hpp"
+#include "tools/evbal/run_command.hpp"
+#include "tools/evbal/slurm_task_command.hpp"
+#include "tools/evbal/sweep_command.hpp"
+#include "tools/evbal/tune_command.hpp"
+#include "tools/evbal/verify_command.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+
+int main(int argc, char** argv) {
+  evbal::pin_arithmetic(argv);
+  evbal::share_pack_folders();
+  CLI::App app("Multi-agent MPC testbed with fault injection for electric taxi fleets", "evbal");
+  app.require_subcommand(1);
+  evbal::add_run_command(app);
+  evbal::add_sweep_command(app);
+  evbal::add_tune_command(app);
+  evbal::add_slurm_task_command(app);
+  evbal::add_compare_command(app);
+  evbal::add_report_command(app);
+  evbal::add_replay_command(app);
+  evbal::add_ingest_command(app);
+  evbal::add_fit_command(app);
+  evbal::add_verify_command(app);
+  evbal::add_doctor_command(app);
+  try {
+    app.parse(argc, argv);
+    return static_cast<int>(evbal::ExitStatus::ok);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    std::fprintf(stderr, "evbal: %s; see `evbal --help`\n", error.what());
+    return static_cast<int>(evbal::ExitStatus::bad_input);
+  } catch (const evbal::Error& error) {
+    std::fprintf(stderr, "evbal: %s\n", error.what());
+    return static_cast<int>(error.status());
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "evbal: %s\n", error.what());
+    return static_cast<int>(evbal::ExitStatus::run_failed);
+  }
+}

@@ -1,0 +1,83 @@
+#include "tools/evbal/report_command.hpp"
+
+#include "common/error.hpp"
+#include "experiments/record/text.hpp"
+#include "tools/evbal/report_content.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+namespace evbal {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  std::vector<std::string> folders;
+  std::vector<std::string> against;
+  std::string out;
+};
+
+/// A run directory itself, or those in a directory of several.
+std::vector<fs::path> runs_in(const fs::path& folder) {
+  std::vector<fs::path> found;
+  if (fs::is_directory(folder) && !fs::exists(folder / "run.sqlite")) {
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      if (fs::exists(entry.path() / "summary.json")) {
+        found.push_back(entry.path());
+      }
+    }
+    std::sort(found.begin(), found.end());
+  }
+  return found.empty() ? std::vector<fs::path>{folder} : found;
+}
+
+PageContent content_of(const Arguments& arguments) {
+  std::optional<fs::path> sweep;
+  std::vector<RecordedRun> runs;
+  for (const fs::path given : arguments.folders) {
+    if (fs::exists(given / "sweep.sqlite")) {
+      if (sweep) {
+        throw bad_input(given.string() + ": a page is on one sweep, and that is " + sweep->string());
+      }
+      sweep = given;
+      continue;
+    }
+    for (const auto& folder : runs_in(given)) {
+      runs.push_back(read_run(folder));
+    }
+  }
+  if (!sweep && !arguments.against.empty()) {
+    throw bad_input("--against: there is no sweep among the directories, whose variants could be compared");
+  }
+  return sweep ? content_on(*sweep, arguments.against, runs) : content_on(runs);
+}
+
+void report(const Arguments& arguments) {
+  const fs::path folder = arguments.folders.size() == 1 ? arguments.folders.front() : ".";
+  const fs::path page = arguments.out.empty() ? folder / "report.html" : fs::path(arguments.out);
+  write_file(page, report_page(content_of(arguments)));
+  std::printf("%s\n", page.c_str());
+}
+
+}  // namespace
+
+void write_report(const fs::path& page, const std::vector<RecordedRun>& runs) {
+  write_file(page, report_page(content_on(runs)));
+}
+
+void add_report_command(CLI::App& app) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("report", "Write one HTML page on finished runs, or on a sweep");
+  command->add_option("DIR", arguments->folders, "Run directories, directories of them, or a sweep's")->required();
+  command->add_option("--against", arguments->against, "Variants of the sweep to compare the others with");
+  command->add_option("--out", arguments->out, "The page; otherwise report.html in DIR, or here if there are several");
+  command->callback([arguments] { report(*arguments); });
+}
+
+}  // namespace evbal

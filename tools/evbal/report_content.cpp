@@ -1,0 +1,155 @@
+#include "tools/evbal/report_content.hpp"
+
+#include "common/error.hpp"
+#include "common/text_of_file.hpp"
+#include "coordinator/planning/city_model.hpp"
+#include "experiments/record/paired_run.hpp"
+#include "experiments/scenario/scenario.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+
+namespace evbal {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::vector<std::string> hourly_columns = {"idle_km", "unfairness_demand", "unfairness_charging", "lost"};
+
+/// What stands in for the record where there is none: nothing.
+void if_any(const std::function<void()>& add) {
+  try {
+    add();
+  } catch (const Error&) {
+    return;
+  }
+}
+
+CityModel model_of(const Scenario& scenario) {
+  return read_model(model_file(scenario.planning, scenario.world.city));
+}
+
+/// What the model says one step ahead of `counts` of the scenario's day.
+ForecastFigure figure_of(const SeriesModel& series, const CityModel& model, const Scenario& scenario,
+                         const Eigen::MatrixXd& counts) {
+  const int start = scenario.world.clock.start;
+  ForecastFigure figure =
+      forecast_figure(series.seasonal, model.kind(scenario.world.day.date), start - model.day_start, counts);
+  figure.start = start;
+  return figure;
+}
+
+std::vector<ForecastFigure> forecast_figures(const RecordedRun& run, const CityModel& model, const Scenario& scenario) {
+  if (model.regions() != run.regions) {
+    return {};
+  }
+  std::vector<ForecastFigure> figures{figure_of(model.demand, model, scenario, run.by_region.at("demand")),
+                                      figure_of(model.completions, model, scenario, run.by_region.at("completions"))};
+  figures[0].title = "Demand, forecast and real";
+  figures[0].unit = "passengers per step";
+  figures[1].title = "Supply, forecast and real";
+  figures[1].unit = "charging sessions that end, per step";
+  for (auto& figure : figures) {
+    figure.note = "The whole city, " + run.controller + "; faults are in what came, not in the forecast.";
+  }
+  return figures;
+}
+
+/// The recorded trips of the scenario's day by origin, N x steps of its clock.
+Eigen::MatrixXd recorded_demand(const Scenario& scenario) {
+  const City& city = scenario.world.city;
+  const DayClock& clock = scenario.world.clock;
+  const int first = (clock.start - city.day_start) / city.step_minutes;
+  Eigen::MatrixXd counts = Eigen::MatrixXd::Zero(city.size(), clock.minutes() / city.step_minutes);
+  for (int step = 0; step < counts.cols(); ++step) {
+    for (const auto& [origin, destination, trips] : scenario.world.day.steps.at(first + step)) {
+      counts(origin, step) += trips;
+    }
+  }
+  return counts;
+}
+
+ForecastFigure history_figure(const CityModel& model, const Scenario& scenario) {
+  ForecastFigure figure = figure_of(model.demand, model, scenario, recorded_demand(scenario));
+  figure.title = "Demand, forecast and on record";
+  figure.unit = "passengers per step";
+  figure.note = "The whole city on " + scenario.world.day.date + ", trips as recorded.";
+  return figure;
+}
+
+std::vector<FittedThresholds> thresholds_of(const CityModel& model) {
+  std::vector<FittedThresholds> all;
+  for (const auto& [name, series] :
+       {std::pair("demand", &model.demand), std::pair("completions", &model.completions)}) {
+    for (int lead = 0; lead < model.leads(); ++lead) {
+      const Thresholds& fitted = series->errors.thresholds[static_cast<std::size_t>(lead)];
+      all.push_back({.series = name, .steps = lead + 1, .g1 = fitted.g1, .g2 = fitted.g2});
+    }
+  }
+  return all;
+}
+
+/// The run, and the one without faults beside it.
+ReportedRun reported(const RecordedRun& run) {
+  ReportedRun reported{run};
+  if (fs::exists(twin_folder(run.folder) / "summary.json")) {
+    reported.without_faults = read_run(twin_folder(run.folder));
+  }
+  return reported;
+}
+
+void add_runs(const std::vector<RecordedRun>& runs, PageContent& content) {
+  std::transform(runs.begin(), runs.end(), std::back_inserter(content.runs), reported);
+  if_any([&] {
+    const Scenario scenario = read_scenario(runs.front().folder / "scenario.resolved.yaml");
+    content.map = city_map(scenario.world.city.regions);
+    const CityModel model = model_of(scenario);
+    content.thresholds = thresholds_of(model);
+    content.forecasts = forecast_figures(runs.front(), model, scenario);
+  });
+}
+
+SweepContent sweep_content(const fs::path& folder, std::vector<std::string> against) {
+  const fs::path file = folder / "sweep.sqlite";
+  const auto days = read_finished(file);
+  const std::string page = text_of_file(folder / "page.md");
+  if (against.empty() && page.empty()) {
+    against.push_back(days.front().variant);
+  }
+  return {.folder = folder.string(),
+          .origin = read_origin(file),
+          .page = page,
+          .days = static_cast<int>(days.size()),
+          .points = swept_points(days, read_finished_steps(file, hourly_columns)),
+          .answers = answers(days, against)};
+}
+
+}  // namespace
+
+PageContent content_on(const std::vector<RecordedRun>& runs) {
+  PageContent content{.title = runs.front().scenario,
+                      .subtitle = "What became of the day; faults in their windows are shaded."};
+  add_runs(runs, content);
+  return content;
+}
+
+PageContent content_on(const fs::path& folder, const std::vector<std::string>& against,
+                       const std::vector<RecordedRun>& runs) {
+  PageContent content{.sweep = sweep_content(folder, against)};
+  content.title = fs::path(content.sweep->origin.file).stem().string();
+  content.subtitle = "A sweep: every variant on the same days, seeds and faults.";
+  if (!runs.empty()) {
+    add_runs(runs, content);
+    return content;
+  }
+  if_any([&] {
+    const Scenario scenario = read_scenario(YamlValue::parse(content.sweep->origin.scenario, "sweep.sqlite"));
+    const CityModel model = model_of(scenario);
+    content.thresholds = thresholds_of(model);
+    content.forecasts = {history_figure(model, scenario)};
+  });
+  return content;
+}
+
+}  // namespace evbal

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "experiments/study/executors/play_sweep.hpp"
+
+#include <filesystem>
+
+namespace CLI {
+class App;
+}
+
+namespace evbal {
+
+/// Adds `evbal tune TUNING.yaml`: gives every variant the same training days and writes down the best settings of each
+/// (docs/tuning.md). The command throws Error, whose status main exits with.
+void add_tune_command(CLI::App& app);
+
+struct TuneArguments {
+  std::filesystem::path tuning;
+  std::filesystem::path out;
+  bool quick = false;
+  Playing playing;
+};
+
+/// Tunes, plays only the days that have no result in `out` yet, and gives the file with what came of it. Throws Error.
+std::filesystem::path tune(const TuneArguments& arguments);
+
+}  // namespace evbal
