@@ -1,6 +1,7 @@
 #include "faults/schedule/schedule.hpp"
 
 #include "tests/faults/schedule_fixture.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -116,7 +117,7 @@ TEST(Schedule, IsDrawnAsOftenAsAsked) {
 
 /// The indented block under a heading of docs/faults.md.
 std::string example_under(const std::string& heading) {
-  std::ifstream page(std::string(EVBAL_SOURCE_DIR) + "/docs/faults.md");
+  std::ifstream page(test::in_source("docs/faults.md"));
   std::string line;
   while (std::getline(page, line) && line != heading) {
   }

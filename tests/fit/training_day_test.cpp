@@ -1,5 +1,7 @@
 #include "tools/fit/training_day.hpp"
 
+#include "tests/support/source_folder.hpp"
+
 #include <gtest/gtest.h>
 
 namespace evbal {
@@ -32,7 +34,7 @@ TEST(PeriodAt, IsTheLastThatHasBegun) {
 
 TEST(TrainingDay, FollowsCarsThroughThePlantsDay) {
   World world;
-  world.city = find_city(EVBAL_SOURCE_DIR "/experiments/cities/toy-5");
+  world.city = find_city(test::in_source("experiments/cities/toy-5").string());
   world.day = read_demand(world.city, "2024-01-03");
   const int vehicles = world.city.fleet.vehicles;
   PlanningSettings greedy;

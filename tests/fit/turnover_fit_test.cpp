@@ -1,6 +1,7 @@
 #include "tools/fit/turnover_fit.hpp"
 
 #include "common/random.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +9,7 @@ namespace evbal {
 namespace {
 
 TEST(SameStepDropoffs, AreTheShortTripsOfTheRecord) {
-  const City city = read_city(std::filesystem::path(EVBAL_SOURCE_DIR) / "experiments/cities/toy-5");
+  const City city = read_city(test::in_source("experiments/cities/toy-5"));
   const std::vector<DemandDay> days{read_demand(city, "2024-01-03"), read_demand(city, "2024-01-06")};
   const Eigen::MatrixXd shares = same_step_dropoffs(city, days, 30);
   ASSERT_EQ(shares.rows(), 5);

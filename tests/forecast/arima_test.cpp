@@ -1,5 +1,7 @@
 #include "coordinator/forecast/arima.hpp"
 
+#include "tests/support/source_folder.hpp"
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -38,7 +40,7 @@ std::vector<Eigen::VectorXd> stretches_of(const json& r) {
 
 /// Series, and what R's `arima` says of them (arima/make-fixtures.R).
 json fixtures() {
-  std::ifstream in(EVBAL_SOURCE_DIR "/tests/forecast/arima/fixtures.json");
+  std::ifstream in(test::in_source("tests/forecast/arima/fixtures.json"));
   return json::parse(in);
 }
 

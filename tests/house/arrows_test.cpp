@@ -1,5 +1,7 @@
 // Holds the include arrows of docs/architecture.md: who may know whom, downhill only.
 
+#include "tests/support/source_folder.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -124,7 +126,7 @@ const std::vector<Ban>& bans() {
 }
 
 const fs::path& root() {
-  static const fs::path path = EVBAL_SOURCE_DIR;
+  static const fs::path path = test::in_source("");
   return path;
 }
 

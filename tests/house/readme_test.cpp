@@ -1,3 +1,6 @@
+
+#include "tests/support/source_folder.hpp"
+
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -9,7 +12,7 @@ namespace evbal {
 namespace {
 
 std::ifstream open(const std::string& name) {
-  std::ifstream stream(std::filesystem::path(EVBAL_SOURCE_DIR) / name);
+  std::ifstream stream(test::in_source(name));
   EXPECT_TRUE(stream) << name;
   return stream;
 }

@@ -1,5 +1,7 @@
 // Holds what every source file of the tree keeps to.
 
+#include "tests/support/source_folder.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +21,7 @@ namespace fs = std::filesystem;
 std::vector<fs::path> all_sources() {
   std::vector<fs::path> found;
   for (const char* top : {"agents", "common", "coordinator", "examples", "experiments", "faults", "tests", "tools"}) {
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(EVBAL_SOURCE_DIR) / top)) {
+    for (const auto& entry : fs::recursive_directory_iterator(test::in_source(top))) {
       const auto extension = entry.path().extension();
       if (extension == ".cpp" || extension == ".hpp" || extension == ".js" || extension == ".idl") {
         found.push_back(entry.path());

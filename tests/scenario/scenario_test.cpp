@@ -1,6 +1,7 @@
 #include "experiments/scenario/scenario.hpp"
 
 #include "experiments/metrics/metrics.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -17,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path shipped = fs::path(EVBAL_SOURCE_DIR) / "experiments/scenarios";
+const fs::path shipped = test::in_source("experiments/scenarios");
 
 /// A folder of its own for the files of one test.
 class ScenarioFile : public ::testing::Test {

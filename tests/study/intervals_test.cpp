@@ -2,6 +2,7 @@
 
 #include "experiments/study/statistics/front.hpp"
 #include "experiments/study/statistics/ranks.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +18,7 @@ namespace {
 class AgainstR : public ::testing::Test {
  protected:
   AgainstR() {
-    std::ifstream file(EVBAL_SOURCE_DIR "/tests/study/intervals.csv");
+    std::ifstream file(test::in_source("tests/study/intervals.csv"));
     for (std::string line; std::getline(file, line);) {
       std::istringstream cells(line);
       std::string kind;

@@ -1,6 +1,7 @@
 #include "experiments/study/design/sweep.hpp"
 #include "experiments/study/design/tuning.hpp"
 #include "tests/folder.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -181,8 +182,7 @@ TEST_F(SweepOfToy, RefusesWhatIsWrong) {
 TEST(ShippedSweeps, CanBeRead) {
   const Folder folder;
   int sweeps = 0;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(std::filesystem::path(EVBAL_SOURCE_DIR) / "experiments/studies")) {
+  for (const auto& entry : std::filesystem::directory_iterator(test::in_source("experiments/studies"))) {
     if (entry.path().extension() != ".yaml" || entry.path().stem().string().ends_with("-tuning")) {
       continue;
     }

@@ -2,6 +2,7 @@
 #include "agents/world/synthetic.hpp"
 #include "common/error.hpp"
 #include "tests/folder.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -237,7 +238,7 @@ TEST(Synthetic, SameSeedSameCity) {
 
 TEST(Synthetic, ShippedToyIsWhatTheDefaultsGive) {
   const SyntheticCity made = synthetic_city({});
-  const City city = read_city(fs::path(EVBAL_SOURCE_DIR) / "experiments/cities/toy-5");
+  const City city = read_city(test::in_source("experiments/cities/toy-5"));
   expect_equal(made.city, city);
   for (std::size_t d = 0; d < made.days.size(); ++d) {
     expect_equal(made.days[d], read_demand(city, made.days[d].date));
