@@ -1,11 +1,11 @@
-# How a room of the house is built: warnings as errors, no fused or reordered floating point (results replay to the
-# byte), includes from the root of the tree. Whoever uses an installed room gets all of this but the warnings.
+# How a room (one folder, one library) is built: warnings on, no fused or reordered floating point (results replay to
+# the byte), includes from the root of the tree. Whoever uses an installed room gets all of this but the warnings.
 
 add_library(evbal_options INTERFACE)
 target_include_directories(evbal_options INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/evbal>)
 target_compile_features(evbal_options INTERFACE cxx_std_20)
 target_compile_options(evbal_options INTERFACE
-  $<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;-Wshadow;-Wconversion;-Wno-sign-conversion;-Werror> -ffp-contract=off)
+  $<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;-Wshadow;-Wconversion;-Wno-sign-conversion;$<$<BOOL:${EVBAL_WARNINGS_AS_ERRORS}>:-Werror>> -ffp-contract=off)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(evbal_options INTERFACE $<BUILD_INTERFACE:-Wno-restrict>)  # false alarms on std::string's + (GCC bug 105651)
 endif()

@@ -1,6 +1,7 @@
 #include "agents/world/world.hpp"
 #include "common/error.hpp"
 #include "common/pin.hpp"
+#include "common/version.hpp"
 #include "tools/evbal/compare_command.hpp"
 #include "tools/evbal/doctor_command.hpp"
 #include "tools/evbal/fit_command.hpp"
@@ -21,6 +22,7 @@ int main(int argc, char** argv) {
   evbal::pin_arithmetic(argv);
   evbal::share_pack_folders();
   CLI::App app("Multi-agent MPC testbed with fault injection for electric taxi fleets", "evbal");
+  app.set_version_flag("--version", "evbal " + evbal::version());
   app.require_subcommand(1);
   evbal::add_run_command(app);
   evbal::add_sweep_command(app);
