@@ -14,7 +14,7 @@ enum class ExitStatus {
 };
 
 /// A user's error, or an end that a user must be told of. `main` prints what() and exits with status().
-/// Programmer's errors are assertions and never throw.
+/// Programmer's errors never throw: they abort (common/contract.hpp).
 class Error : public std::runtime_error {
  public:
   Error(ExitStatus status, const std::string& message) : std::runtime_error(message), status_(status) {}

@@ -1,8 +1,9 @@
 #include "common/random.hpp"
 
+#include "common/contract.hpp"
+
 #include <Random123/philox.h>
 
-#include <cassert>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -34,7 +35,7 @@ double RandomStream::uniform(double low, double high) {
 }
 
 std::uint64_t RandomStream::below(std::uint64_t n) {
-  assert(n >= 1);
+  EVBAL_EXPECT(n >= 1, "at least one value to draw from");
   const std::uint64_t rejected = (0 - n) % n;  // 2^64 mod n
   std::uint64_t draw = bits();
   while (draw < rejected) {
@@ -53,7 +54,7 @@ double RandomStream::exponential(double mean) {
 }
 
 std::uint64_t RandomStream::poisson(double mean) {
-  assert(mean >= 0.0 && mean <= 1e6);
+  EVBAL_EXPECT(mean >= 0.0 && mean <= 1e6, "a mean within [0, 1e6]");
   // exp(-mean) underflows for large means: a sum of Poisson variables is Poisson.
   constexpr double block_mean = 256.0;
   std::uint64_t total = 0;
@@ -76,7 +77,7 @@ std::uint64_t RandomStream::poisson(double mean) {
 
 std::size_t RandomStream::weighted(std::span<const double> weights) {
   const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
-  assert(total > 0.0);
+  EVBAL_EXPECT(total > 0.0, "weights of which one is above zero");
   double rest = uniform() * total;
   std::size_t last = 0;
   for (std::size_t i = 0; i < weights.size(); ++i) {

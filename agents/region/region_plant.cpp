@@ -1,9 +1,9 @@
 #include "agents/region/region_plant.hpp"
 
 #include "agents/region/size_of.hpp"
+#include "common/contract.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -210,7 +210,7 @@ void RegionPlant::close_books() {
 }
 
 RegionPlant make_plant(const World& world, int region) {
-  assert(region >= 0 && region < world.city.size());
+  EVBAL_EXPECT(region >= 0 && region < world.city.size(), "a region of the city");
   return {world, region, draw_passengers(world, region), draw_fleet(world)[region]};
 }
 

@@ -6,7 +6,6 @@
 #include "common/random.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <sstream>
 #include <tuple>

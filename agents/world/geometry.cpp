@@ -1,9 +1,10 @@
 #include "agents/world/geometry.hpp"
 
+#include "common/contract.hpp"
+
 #include <mrpt/math/TPolygon2D.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -55,7 +56,7 @@ LatLon LocalFrame::global(LocalPoint place) const {
   const Eigen::Vector3d step = scale.cwiseProduct(axes_.col(2));
   const double b = start.dot(step) / step.squaredNorm();
   const double c = (start.squaredNorm() - 1.0) / step.squaredNorm();
-  assert(b * b > c);
+  EVBAL_EXPECT(b * b > c, "a place within a few thousand km of the frame's origin");
   const double up = -b + std::sqrt(b * b - c);
   const Eigen::Vector3d point = (start + up * step).cwiseQuotient(scale);
   const double lat = std::atan2(point.z(), (1.0 - kEccentricity2) * std::hypot(point.x(), point.y()));
@@ -75,7 +76,8 @@ struct OutlineMap::Rings {
 };
 
 OutlineMap::OutlineMap(std::span<const Outline> outlines) {
-  assert(!outlines.empty() && !outlines.front().empty() && !outlines.front().front().empty());
+  EVBAL_EXPECT(!outlines.empty() && !outlines.front().empty() && !outlines.front().front().empty(),
+               "at least one outline, whose first ring has points");
   auto rings = std::make_unique<Rings>(Rings{LocalFrame(outlines.front().front().front()), {}});
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     for (const auto& outline_ring : outlines[i]) {

@@ -1,5 +1,7 @@
 #include "agents/world/pack_table.hpp"
 
+#include "common/contract.hpp"
+
 #include <array>
 #include <cassert>
 #include <charconv>
@@ -36,7 +38,7 @@ std::optional<long long> parse_integer(std::string_view text) {
 }
 
 std::string decimal(double value) {
-  assert(std::isfinite(value));
+  EVBAL_EXPECT(std::isfinite(value), "a finite number");
   std::array<char, 400> digits{};
   const auto [end, code] = std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed);
   assert(code == std::errc{});

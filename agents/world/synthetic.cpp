@@ -1,9 +1,9 @@
 #include "agents/world/synthetic.hpp"
 
 #include "agents/world/geometry.hpp"
+#include "common/contract.hpp"
 #include "common/random.hpp"
 
-#include <cassert>
 #include <chrono>
 #include <cmath>
 
@@ -167,8 +167,9 @@ DemandDay draw_day(const SyntheticOptions& options, const City& city, const std:
 }  // namespace
 
 SyntheticCity synthetic_city(const SyntheticOptions& options) {
-  assert(options.regions >= 1 && options.train_days + options.test_days >= 1);
-  assert(options.stations <= options.regions && options.points >= options.stations);
+  EVBAL_EXPECT(options.regions >= 1 && options.train_days + options.test_days >= 1, "at least one region and one day");
+  EVBAL_EXPECT(options.stations <= options.regions && options.points >= options.stations,
+               "at most one station a region, each with a point");
   SyntheticCity synthetic;
   City& city = synthetic.city;
   city.name = options.name;

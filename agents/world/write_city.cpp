@@ -3,9 +3,9 @@
 #include "agents/world/pack_table.hpp"
 #include "agents/world/pack_text.hpp"
 #include "agents/world/regions_file.hpp"
+#include "common/contract.hpp"
 #include "common/new_folder.hpp"
 
-#include <cassert>
 #include <sstream>
 
 namespace evbal {
@@ -81,7 +81,8 @@ std::string demand_csv(const DemandDay& day) {
 }  // namespace
 
 void write_city(const City& city, const std::vector<DemandDay>& days, const std::filesystem::path& folder) {
-  assert(days.size() == (city.factors ? 0 : city.days.size()));
+  EVBAL_EXPECT(days.size() == (city.factors ? 0 : city.days.size()),
+               "the demand of each day, and none of a city of factors");
   NewFolder pack(folder);
   std::error_code ignored;  // the files would say
   std::filesystem::create_directory(pack.path() / "demand", ignored);

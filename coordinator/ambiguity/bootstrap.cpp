@@ -1,5 +1,6 @@
 #include "coordinator/ambiguity/bootstrap.hpp"
 
+#include "common/contract.hpp"
 #include "common/parallel.hpp"
 #include "common/random.hpp"
 
@@ -7,7 +8,6 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <vector>
 
@@ -60,9 +60,9 @@ Thresholds resampled(const Whitened& whitened, RandomStream random, int resample
 /// The statistics of every replicate.
 std::vector<Thresholds> replicates(const Eigen::MatrixXd& residuals, const Covariance& covariance,
                                    const Bootstrap& bootstrap) {
-  assert(bootstrap.resample >= 1 && bootstrap.replicates >= 1);
+  EVBAL_EXPECT(bootstrap.resample >= 1 && bootstrap.replicates >= 1, "at least one replicate of one residual");
   const Eigen::LLT<Eigen::MatrixXd> root(covariance.dense());
-  assert(root.info() == Eigen::Success);
+  EVBAL_EXPECT(root.info() == Eigen::Success, "a positive definite covariance");
   Whitened whitened{root.matrixL().solve(residuals), {}};
   whitened.gram = whitened.residuals.transpose() * whitened.residuals;
   std::vector<Thresholds> out(static_cast<std::size_t>(bootstrap.replicates));

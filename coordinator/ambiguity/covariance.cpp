@@ -1,9 +1,10 @@
 #include "coordinator/ambiguity/covariance.hpp"
 
+#include "common/contract.hpp"
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 namespace evbal {
@@ -41,7 +42,7 @@ Eigen::MatrixXd Covariance::dense() const {
 }
 
 Covariance shrunk_covariance(const Eigen::MatrixXd& residuals, double floor) {
-  assert(residuals.cols() >= 2 && residuals.rows() >= 1);
+  EVBAL_EXPECT(residuals.cols() >= 2 && residuals.rows() >= 1, "at least one series of two samples");
   const auto n = static_cast<double>(residuals.cols());
   const Eigen::VectorXd deviation = (residuals.rowwise().squaredNorm() / n).cwiseSqrt();
   const Eigen::MatrixXd standardized = deviation.cwiseMax(1e-12).cwiseInverse().asDiagonal() * residuals;

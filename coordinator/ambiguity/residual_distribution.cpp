@@ -1,6 +1,7 @@
 #include "coordinator/ambiguity/residual_distribution.hpp"
 
-#include <cassert>
+#include "common/contract.hpp"
+
 #include <cmath>
 
 namespace evbal {
@@ -24,7 +25,7 @@ std::vector<Eigen::Index> rows_of(const std::vector<int>& regions, Eigen::Index 
 
 ResidualDistribution fit_residual_law(const Eigen::MatrixXd& residuals, int leads, const std::vector<int>& regions,
                                       const Bootstrap& bootstrap) {
-  assert(residuals.rows() % leads == 0);
+  EVBAL_EXPECT(residuals.rows() % leads == 0, "as many residuals for each lead");
   const Eigen::Index block = residuals.rows() / leads;
   ResidualDistribution law{{Eigen::VectorXd::Zero(residuals.rows()), Eigen::MatrixXd(residuals.rows(), 0)}, {}};
   if (regions.empty()) {
@@ -46,8 +47,8 @@ ResidualDistribution fit_residual_law(const Eigen::MatrixXd& residuals, int lead
 }
 
 MomentSet moment_set(const ResidualDistribution& law, const Eigen::MatrixXd& mean, const Eigen::MatrixXd& scale) {
-  assert(mean.rows() == scale.rows() && mean.cols() == scale.cols());
-  assert(mean.cols() >= 1 && mean.cols() <= law.leads());
+  EVBAL_EXPECT(mean.rows() == scale.rows() && mean.cols() == scale.cols(), "mean and scale of one shape");
+  EVBAL_EXPECT(mean.cols() >= 1 && mean.cols() <= law.leads(), "from one step to as many as errors were fitted for");
   const Eigen::VectorXd by = scale.reshaped();
   const Thresholds& thresholds = law.thresholds[static_cast<std::size_t>(mean.cols() - 1)];
   MomentSet set;

@@ -1,12 +1,12 @@
 #include "coordinator/balancing/controllers.hpp"
 
+#include "common/contract.hpp"
 #include "coordinator/balancing/formulation.hpp"
 #include "coordinator/balancing/heuristics.hpp"
 #include "coordinator/balancing/validate.hpp"
 #include "coordinator/convex/certificate.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <utility>
 
 namespace evbal {
@@ -62,7 +62,7 @@ BalancingResult balance(const Controller& controller, const BalancingParameters&
 BalancingResult balance(const std::string& controller, const BalancingParameters& parameters, const PlanningData& data,
                         const EngineSettings& engine) {
   const auto chosen = std::ranges::find(controllers(), controller, &Controller::name);
-  assert(chosen != controllers().end());
+  EVBAL_EXPECT(chosen != controllers().end(), "the name of a controller");
   return balance(*chosen, parameters, data, engine);
 }
 

@@ -1,7 +1,8 @@
 #include "coordinator/balancing/discrete_distribution.hpp"
 
+#include "common/contract.hpp"
+
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <deque>
 #include <numeric>
@@ -42,7 +43,7 @@ DiscreteDistribution certain(double value) {
 }
 
 DiscreteDistribution empirical(std::vector<double> values) {
-  assert(!values.empty());
+  EVBAL_EXPECT(!values.empty(), "at least one value");
   std::ranges::sort(values);
   DiscreteDistribution law;
   const double each = 1.0 / static_cast<double>(values.size());
@@ -59,7 +60,7 @@ DiscreteDistribution empirical(std::vector<double> values) {
 
 // From the mean outwards until the rest is negligible.
 DiscreteDistribution negative_binomial(double mean, double variance) {
-  assert(mean >= 0.0);
+  EVBAL_EXPECT(mean >= 0.0, "a mean of at least zero");
   if (mean == 0.0) {
     return certain(0.0);
   }
@@ -88,7 +89,7 @@ DiscreteDistribution negative_binomial(double mean, double variance) {
 }
 
 double negative_binomial_at_most(double count, double mean, double variance) {
-  assert(mean > 0.0);
+  EVBAL_EXPECT(mean > 0.0, "a mean above zero");
   const double v = std::max(mean * (1.0 + 1e-9), variance);
   const double size = mean * mean / (v - mean);
   double weight = std::exp(size * std::log(mean / v));  // of none

@@ -2,7 +2,6 @@
 
 #include "coordinator/balancing/shortage_terms.hpp"
 
-#include <cassert>
 #include <cmath>
 #include <string>
 #include <utility>

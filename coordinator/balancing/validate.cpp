@@ -1,6 +1,7 @@
 #include "coordinator/balancing/validate.hpp"
 
-#include <cassert>
+#include "common/contract.hpp"
+
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -112,32 +113,44 @@ void check_turnover(Complaint& complaint, const Turnover& turnover) {
   }
 }
 
-void assert_shapes([[maybe_unused]] const PlanningData& data) {
-  [[maybe_unused]] const auto n = data.km.rows();
-  [[maybe_unused]] const auto tau = data.points.cols();
-  assert(n > 0 && tau > 0 && data.km.cols() == n && data.points.rows() == n);
-  assert(data.minutes.rows() == n && data.minutes.cols() == n);
-  assert(data.state.vacant.size() == n && data.state.occupied.size() == n && data.state.low_battery.size() == n);
-  assert(data.state.plugged.size() == n && data.state.waiting.size() == n);
-  assert(data.state.arriving_vacant.rows() == n && data.state.arriving_vacant.cols() == tau);
-  assert(data.state.arriving_low_battery.rows() == n && data.state.arriving_low_battery.cols() == tau);
-  assert(data.demand.mean.size() == n * tau && data.demand.deviation.size() == n * tau);
-  assert(data.demand.factors.rows() == n * tau && data.completions.factors.rows() == n * tau);
-  assert(data.completions.mean.size() == n * tau && data.completions.deviation.size() == n * tau);
-  assert(data.free_points.mean.size() == n * tau && data.free_points.deviation.size() == n * tau);
-  assert(data.free_points.factors.rows() == n * tau);
-  assert(data.demand_samples.rows() == n * tau);
-  assert(data.state.dropoffs_due.rows() == n && data.state.dropoffs_due.cols() == tau);
-  assert(data.turnover.same_step_dropoffs.rows() == n && data.turnover.same_step_dropoffs.cols() == n);
-  assert(!data.turnover.demand.linear.empty());
-  assert(data.turnover.demand.linear.size() == data.turnover.demand.quadratic.size());
-  assert(std::ssize(data.transitions) == tau);
+void expect_shapes(const PlanningData& data) {
+  const auto n = data.km.rows();
+  const auto tau = data.points.cols();
+  const auto is = [](const auto& matrix, Eigen::Index rows, Eigen::Index columns) {
+    return matrix.rows() == rows && matrix.cols() == columns;
+  };
+  const auto stacked = [&](const MomentSet& set) {
+    return set.mean.size() == n * tau && set.deviation.size() == n * tau && set.factors.rows() == n * tau;
+  };
+  const auto& state = data.state;
+  EVBAL_EXPECT(n > 0 && tau > 0, "at least one region and one step");
+  EVBAL_EXPECT(is(data.km, n, n) && is(data.minutes, n, n), "km and minutes N x N");
+  EVBAL_EXPECT(is(data.points, n, tau), "points N x tau");
+  EVBAL_EXPECT(is(state.vacant, n, 1) && is(state.occupied, n, 1) && is(state.low_battery, n, 1), "vehicles N");
+  EVBAL_EXPECT(is(state.plugged, n, 1) && is(state.waiting, n, 1), "plugged vehicles and waiting passengers N");
+  EVBAL_EXPECT(is(state.arriving_vacant, n, tau) && is(state.arriving_low_battery, n, tau), "arrivals N x tau");
+  EVBAL_EXPECT(is(state.dropoffs_due, n, tau), "drop-offs due N x tau");
+  EVBAL_EXPECT(stacked(data.demand), "demand N tau");
+  EVBAL_EXPECT(stacked(data.completions), "completions N tau");
+  EVBAL_EXPECT(stacked(data.free_points), "free points N tau");
+  EVBAL_EXPECT(data.demand_samples.rows() == n * tau, "samples of demand N tau");
+  EVBAL_EXPECT(is(data.turnover.same_step_dropoffs, n, n), "trips that end within the step N x N");
+  EVBAL_EXPECT(!data.turnover.demand.linear.empty() &&
+                   data.turnover.demand.linear.size() == data.turnover.demand.quadratic.size(),
+               "as many linear as quadratic coefficients of demand's variance, at least one");
+  EVBAL_EXPECT(std::ssize(data.transitions) == tau, "transitions of each step");
+  for (const auto& move : data.transitions) {
+    EVBAL_EXPECT(is(move.vacant_to_vacant, n, n) && is(move.vacant_to_occupied, n, n) &&
+                     is(move.vacant_to_low_battery, n, n) && is(move.occupied_to_vacant, n, n) &&
+                     is(move.occupied_to_occupied, n, n),
+                 "transitions N x N");
+  }
 }
 
 }  // namespace
 
 std::string complaint(const BalancingParameters& parameters, const PlanningData& data) {
-  assert_shapes(data);
+  expect_shapes(data);
   Complaint complaint;
   check_parameters(complaint, parameters);
   complaint.require(data.km, 0.0, infinity, "km", "to");

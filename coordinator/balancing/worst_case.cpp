@@ -1,7 +1,8 @@
 #include "coordinator/balancing/worst_case.hpp"
 
+#include "common/contract.hpp"
+
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 namespace evbal {
@@ -24,7 +25,7 @@ class WorstCaseShortage final : public ConvexFunction {
 // psi(d) = (sqrt(v - 2 d m + d^2) - d + m) / 2,   v = g2 sigma^2,   m = sqrt(min(g1, g2)) sigma,
 // and where d > 0:  m = min(m, v / (2 d)), which leaves  psi(d) = v / (4 d).
 ConvexFunction::Expansion worst_case_shortage(double d, double sigma, double g1, double g2) {
-  assert(sigma > 0.0 && g1 >= 0.0 && g2 >= 0.0);
+  EVBAL_EXPECT(sigma > 0.0 && g1 >= 0.0 && g2 >= 0.0, "a deviation above zero and thresholds of at least zero");
   const double v = g2 * sigma * sigma;
   const double m = std::sqrt(std::min(g1, g2)) * sigma;
   if (v == 0.0) {

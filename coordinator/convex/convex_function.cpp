@@ -1,6 +1,7 @@
 #include "coordinator/convex/convex_function.hpp"
 
-#include <cassert>
+#include "common/contract.hpp"
+
 #include <cmath>
 #include <utility>
 
@@ -9,7 +10,7 @@ namespace {
 
 class InversePower final : public ConvexFunction {
  public:
-  InversePower(double eps, double a) : eps_(eps), a_(a) { assert(eps > 0.0 && a > 0.0); }
+  InversePower(double eps, double a) : eps_(eps), a_(a) { EVBAL_EXPECT(eps > 0.0 && a > 0.0, "eps and a above zero"); }
 
   Expansion around(double at) const override {
     const double base = at + eps_;

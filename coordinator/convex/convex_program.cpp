@@ -1,7 +1,8 @@
 #include "coordinator/convex/convex_program.hpp"
 
+#include "common/contract.hpp"
+
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -74,7 +75,7 @@ Eigen::VectorXd NormTerm::gradient(const Eigen::VectorXd& z) const {
 }
 
 Variables ConvexProgram::add_block(const std::string& name, int size, double lower, double upper) {
-  assert(size >= 0 && lower <= upper);
+  EVBAL_EXPECT(size >= 0 && lower <= upper, "a size of at least zero and bounds in order");
   const int first = variables();
   blocks_.push_back({name, first, size});
   Variables block;
@@ -88,7 +89,7 @@ Variables ConvexProgram::add_block(const std::string& name, int size, double low
 }
 
 void ConvexProgram::bound(Variable variable, double lower, double upper) {
-  assert(lower <= upper);
+  EVBAL_EXPECT(lower <= upper, "bounds in order");
   lower_[static_cast<std::size_t>(variable.index)] = lower;
   upper_[static_cast<std::size_t>(variable.index)] = upper;
 }
@@ -115,7 +116,8 @@ void ConvexProgram::at_most(const Expression& left, const Expression& right) {
 }
 
 void ConvexProgram::at_least_curve(Variable above, Variable of, ConvexFunctionPtr function) {
-  assert(std::isfinite(lower_[static_cast<std::size_t>(of.index)]));
+  EVBAL_EXPECT(std::isfinite(lower_[static_cast<std::size_t>(of.index)]),
+               "a curve of a variable with a finite lower bound");
   curves_.push_back({above.index, of.index, std::move(function)});
 }
 
@@ -144,8 +146,10 @@ void ConvexProgram::penalise(const Expression& cost) {
 }
 
 void ConvexProgram::minimise_norm(NormTerm term) {
-  assert(term.weight > 0.0 && term.deviation.size() == std::ssize(term.variables));
-  assert(term.factors.rows() == term.deviation.size() && (term.deviation.array() > 0.0).all());
+  EVBAL_EXPECT(term.weight > 0.0 && term.deviation.size() == std::ssize(term.variables),
+               "a weight above zero and a deviation of each variable");
+  EVBAL_EXPECT(term.factors.rows() == term.deviation.size() && (term.deviation.array() > 0.0).all(),
+               "a row of factors of each variable and deviations above zero");
   norms_.push_back(std::move(term));
 }
 
@@ -162,7 +166,7 @@ double ConvexProgram::penalty(const Eigen::VectorXd& x) const {
 }
 
 double ConvexProgram::violation(const Eigen::VectorXd& x) const {
-  assert(x.size() == variables());
+  EVBAL_EXPECT(x.size() == variables(), "a value of each variable");
   if (!x.allFinite()) {
     return infinity;
   }

@@ -1,12 +1,12 @@
 #include "coordinator/convex/engine.hpp"
 
+#include "common/contract.hpp"
 #include "coordinator/convex/certificate.hpp"
 #include "coordinator/convex/cuts_engine.hpp"
 #include "coordinator/convex/ipopt_engine.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 
 namespace evbal {
@@ -26,7 +26,7 @@ Solution solve(const ConvexProgram& program, const EngineSettings& settings) {
     return {{}, refusal("the engine fails, by a fault")};
   }
   const auto* engine = std::ranges::find_if(engines, [&](const auto& e) { return e.name == settings.name; });
-  assert(engine != engines.end());
+  EVBAL_EXPECT(engine != engines.end(), "the name of an engine");
   return engine->solve(program, settings);
 }
 

@@ -1,9 +1,10 @@
 #include "coordinator/convex/linear_relaxation.hpp"
 
+#include "common/contract.hpp"
+
 #include <coin/ClpSimplex.hpp>
 
 #include <algorithm>
-#include <cassert>
 
 namespace evbal {
 namespace {
@@ -32,7 +33,7 @@ LinearRelaxation::LinearRelaxation(const ConvexProgram& program) : program_(prog
   curve_above_.assign(program.cost().size(), -1);
   for (const auto& curve : program.curves()) {
     int& above = curve_above_[static_cast<std::size_t>(curve.above)];
-    assert(above < 0);
+    EVBAL_EXPECT(above < 0, "a variable above one curve at most");
     above = static_cast<int>(curves_.size());
     const double lower = program.lower()[static_cast<std::size_t>(curve.of)];
     curves_.push_back({&curve, Tangents(curve.function, lower)});

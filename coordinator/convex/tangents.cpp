@@ -1,7 +1,8 @@
 #include "coordinator/convex/tangents.hpp"
 
+#include "common/contract.hpp"
+
 #include <algorithm>
-#include <cassert>
 #include <limits>
 #include <utility>
 
@@ -18,7 +19,7 @@ Tangents::Tangents(ConvexFunctionPtr function, double lower) : function_(std::mo
 
 void Tangents::add(double at) {
   constexpr double same = 1e-9;
-  assert(at >= lower_);
+  EVBAL_EXPECT(at >= lower_, "a point of at least the lower end");
   const auto next = std::ranges::lower_bound(tangents_, at, {}, &Tangent::at);
   if ((next != tangents_.end() && next->at - at < same) || (next != tangents_.begin() && at - (next - 1)->at < same)) {
     return;

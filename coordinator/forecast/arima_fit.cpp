@@ -1,8 +1,8 @@
+#include "common/contract.hpp"
 #include "coordinator/forecast/arima.hpp"
 
 #include <nlopt.h>
 
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -110,7 +110,7 @@ ArimaFit fit_arima(const std::vector<Eigen::VectorXd>& stretches, const ArimaOrd
 }
 
 ArimaFit choose_arima(const std::vector<Eigen::VectorXd>& stretches, const std::vector<ArimaOrder>& orders) {
-  assert(!orders.empty());
+  EVBAL_EXPECT(!orders.empty(), "at least one order");
   ArimaFit best;
   double least = std::numeric_limits<double>::infinity();
   for (const ArimaOrder& order : orders) {

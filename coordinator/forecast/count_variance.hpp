@@ -1,9 +1,10 @@
 #pragma once
 
+#include "common/contract.hpp"
+
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <cassert>
 #include <vector>
 
 namespace evbal {
@@ -17,7 +18,8 @@ struct CountVariance {
   std::vector<double> quadratic;  ///< as many, each >= 0
 
   double at(Eigen::Index lead, double m) const {
-    assert(!linear.empty() && linear.size() == quadratic.size());
+    EVBAL_EXPECT(!linear.empty() && linear.size() == quadratic.size(),
+                 "as many linear as quadratic coefficients, at least one");
     const std::size_t k = std::min(static_cast<std::size_t>(lead), linear.size() - 1);
     return linear[k] * m + quadratic[k] * m * m;
   }

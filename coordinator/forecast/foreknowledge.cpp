@@ -1,14 +1,15 @@
 #include "coordinator/forecast/foreknowledge.hpp"
 
+#include "common/contract.hpp"
+
 #include <algorithm>
-#include <cassert>
 #include <utility>
 
 namespace evbal {
 
 Foreknowledge::Foreknowledge(Eigen::MatrixXd counts, int tick, int step)
     : counts_(std::move(counts)), tick_(tick), step_(step) {
-  assert(tick > 0 && step % tick == 0);
+  EVBAL_EXPECT(tick > 0 && step % tick == 0, "a step of whole ticks");
 }
 
 void Foreknowledge::observe(int /*minute*/, const Eigen::VectorXd& /*counts*/) {}

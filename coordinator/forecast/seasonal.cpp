@@ -1,9 +1,9 @@
 #include "coordinator/forecast/seasonal.hpp"
 
+#include "common/contract.hpp"
 #include "common/error.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <charconv>
 #include <chrono>
 #include <cmath>
@@ -105,7 +105,7 @@ SeasonalForecaster::SeasonalForecaster(const SeasonalModel& model, DayKind kind,
       city_(model.city),
       region_(model.region.begin(), model.region.end()),
       start_(start) {
-  assert(static_cast<Eigen::Index>(region_.size()) == mean_.rows());
+  EVBAL_EXPECT(static_cast<Eigen::Index>(region_.size()) == mean_.rows(), "a model of each region that has a mean");
 }
 
 Eigen::VectorXd SeasonalForecaster::seasonal(int from, int to) const {
@@ -113,9 +113,9 @@ Eigen::VectorXd SeasonalForecaster::seasonal(int from, int to) const {
 }
 
 void SeasonalForecaster::observe(int minute, const Eigen::VectorXd& counts) {
-  assert(counts.size() == mean_.rows());
+  EVBAL_EXPECT(counts.size() == mean_.rows(), "a count of every region");
   const int from = pieces_.empty() ? 0 : pieces_.back().to;
-  assert(minute >= from);
+  EVBAL_EXPECT(minute >= from, "a time not before the last one");
   if (minute > from) {
     pieces_.push_back({from, minute, counts});
   }

@@ -1,10 +1,10 @@
 #include "coordinator/forecast/seasonal_fit.hpp"
 
+#include "common/contract.hpp"
 #include "common/parallel.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <functional>
 
 namespace evbal {
@@ -94,7 +94,7 @@ SeasonalMeans seasonal_means(const std::vector<CountDay>& days) {
 }
 
 SeasonalOrders choose_orders(const std::vector<CountDay>& days) {
-  assert(days.size() >= 2);
+  EVBAL_EXPECT(days.size() >= 2, "at least two days");
   const std::vector<ArimaOrder> grid{{}, {.p = 1}, {.q = 1}, {.p = 1, .q = 1}, {.p = 2}, {.p = 2, .q = 1}};
   Eigen::VectorXd counts = Eigen::VectorXd::Zero(days[0].counts.rows());
   for (const CountDay& day : days) {
@@ -120,7 +120,7 @@ SeasonalOrders choose_orders(const std::vector<CountDay>& days) {
 }
 
 SeasonalModel fit_seasonal(const std::vector<CountDay>& days, int step_minutes, const SeasonalOrders& orders) {
-  assert(days.size() >= 2);
+  EVBAL_EXPECT(days.size() >= 2, "at least two days");
   const Series series = deviations(days);
   SeasonalModel model{step_minutes, smoothed_means(days), fit_arima(series.city, orders.city).model, {}};
   model.region.resize(series.region.size());
@@ -176,7 +176,7 @@ double daily_surprise(const std::vector<HeldOutDay>& days) {
 
 std::vector<HeldOutDay> leave_one_day_out(const std::vector<CountDay>& days, int step_minutes,
                                           const SeasonalOrders& orders, int leads) {
-  assert(days.size() >= 3);
+  EVBAL_EXPECT(days.size() >= 3, "at least three days");
   std::vector<HeldOutDay> out;
   out.reserve(days.size());
   for (std::size_t d = 0; d < days.size(); ++d) {

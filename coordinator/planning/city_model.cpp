@@ -1,7 +1,8 @@
 #include "coordinator/planning/city_model.hpp"
 
+#include "common/contract.hpp"
+
 #include <algorithm>
-#include <cassert>
 
 namespace evbal {
 
@@ -10,7 +11,7 @@ DayKind CityModel::kind(const std::string& date) const {
 }
 
 const Transitions& CityModel::transitions_at(int minute) const {
-  assert(!periods.empty());
+  EVBAL_EXPECT(!periods.empty(), "at least one period");
   const auto after = std::upper_bound(periods.begin(), periods.end(), minute,
                                       [](int value, const Period& period) { return value < period.start; });
   return (after == periods.begin() ? after : std::prev(after))->transitions;

@@ -1,6 +1,7 @@
 #include "coordinator/planning/receding_horizon_planner.hpp"
 
 #include "agents/protocol/bytes.hpp"
+#include "common/contract.hpp"
 #include "common/error.hpp"
 #include "coordinator/ambiguity/gaussian_samples.hpp"
 #include "coordinator/balancing/round_to_vehicles.hpp"
@@ -8,7 +9,6 @@
 #include "coordinator/planning/planning_data.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -123,7 +123,8 @@ RecedingHorizonPlanner::RecedingHorizonPlanner(const City& city, const DayClock&
 }
 
 void RecedingHorizonPlanner::foresee(const Eigen::MatrixXd& demand_by_tick) {
-  assert(demand_by_tick.rows() == model_.regions() && demand_by_tick.cols() == clock_.ticks());
+  EVBAL_EXPECT(demand_by_tick.rows() == model_.regions() && demand_by_tick.cols() == clock_.ticks(),
+               "demand of every region and tick of the day");
   demand_ = std::make_unique<Foreknowledge>(demand_by_tick, clock_.tick, clock_.step);
 }
 
@@ -162,7 +163,7 @@ PlanningData RecedingHorizonPlanner::data(int minute, const std::vector<Report>&
 }
 
 std::vector<Report> RecedingHorizonPlanner::observe(const Tick& tick, const std::vector<Report>& reports) {
-  assert(clock_.plan_due(tick.tick));
+  EVBAL_EXPECT(clock_.plan_due(tick.tick), "a tick at which a plan is due");
   const int minute = clock_.minute_of(tick.tick);
   const int before = clock_.minute_of(last_.tick);
   CheckedReports checked = check_reports(reports, tick.tick, last_.tick, bounds_);

@@ -1,6 +1,7 @@
 #include "experiments/conductor/lossy_network.hpp"
 
 #include "agents/bus/participant.hpp"
+#include "common/contract.hpp"
 #include "common/error.hpp"
 
 #include <arpa/inet.h>
@@ -13,7 +14,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -135,7 +135,7 @@ void LossyNetwork::close_all() {
 }
 
 int LossyNetwork::namespace_of(int host) const {
-  assert(host > 0 && host < static_cast<int>(namespaces_.size()));
+  EVBAL_EXPECT(host > 0 && host < static_cast<int>(namespaces_.size()), "a host with a namespace of its own");
   return namespaces_[host];
 }
 

@@ -1,5 +1,6 @@
 #include "experiments/conductor/supervisor.hpp"
 
+#include "common/contract.hpp"
 #include "common/error.hpp"
 #include "experiments/conductor/lossy_network.hpp"
 
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <csignal>
 #include <cstring>
 #include <fstream>
@@ -35,7 +35,7 @@ std::string ending(int status) {
 /// The process of that name, which exists.
 auto& named(auto& processes, const std::string& name) {
   const auto found = std::find_if(processes.begin(), processes.end(), [&](const auto& p) { return p.name == name; });
-  assert(found != processes.end());
+  EVBAL_EXPECT(found != processes.end(), "the name of a process");
   return *found;
 }
 

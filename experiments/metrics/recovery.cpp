@@ -1,7 +1,8 @@
 #include "experiments/metrics/recovery.hpp"
 
+#include "common/contract.hpp"
+
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <numeric>
 
@@ -58,7 +59,7 @@ const std::vector<CostedMetric>& costed_metrics() {
 }
 
 FaultCost fault_cost(const PairedCurves& curves, bool stock, std::span<const FaultWindow> faults) {
-  assert(curves.with.size() == curves.without.size());
+  EVBAL_EXPECT(curves.with.size() == curves.without.size(), "curves of one length");
   FaultCost cost{.with = total(curves.with, stock), .without = total(curves.without, stock)};
   const double hours = curves.step_minutes / 60.0;
   for (std::size_t step = 0; step < curves.with.size(); ++step) {

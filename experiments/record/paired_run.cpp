@@ -1,11 +1,10 @@
 #include "experiments/record/paired_run.hpp"
 
+#include "common/contract.hpp"
 #include "common/text_of_file.hpp"
 #include "experiments/record/text.hpp"
 
 #include <nlohmann/json.hpp>
-
-#include <cassert>
 
 namespace evbal {
 namespace {
@@ -69,7 +68,7 @@ std::filesystem::path twin_folder(const std::filesystem::path& folder) {
 }
 
 std::vector<MetricCost> costs_of(const RecordedRun& run, const RecordedRun& twin) {
-  assert(run.step_minutes == twin.step_minutes);
+  EVBAL_EXPECT(run.step_minutes == twin.step_minutes, "a twin with steps of the same length");
   std::vector<FaultWindow> windows;
   for (const auto& fault : run.faults) {
     windows.push_back({fault.start, fault.end});

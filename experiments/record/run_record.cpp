@@ -1,6 +1,7 @@
 #include "experiments/record/run_record.hpp"
 
 #include "agents/protocol/fingerprint.hpp"
+#include "common/contract.hpp"
 #include "common/error.hpp"
 #include "experiments/record/csv.hpp"
 #include "experiments/record/row.hpp"
@@ -8,7 +9,6 @@
 #include "experiments/record/text.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <iterator>
 #include <set>
 #include <system_error>
@@ -143,7 +143,7 @@ void RunRecord::note_events(const TickRecord& record) {
 }
 
 void RunRecord::add(const TickRecord& record) {
-  assert(record.tick.tick == static_cast<int>(ticks_.size()));
+  EVBAL_EXPECT(record.tick.tick == static_cast<int>(ticks_.size()), "the tick after the last one");
   tick_seconds_.push_back(std::chrono::duration<double>(Clock::now() - last_).count());
   note_events(record);
   file_.add(record);
@@ -175,7 +175,7 @@ void RunRecord::note_not_injected() {
 
 RunResult RunRecord::finish() {
   const DayClock& clock = header_.frame.clock;
-  assert(static_cast<int>(ticks_.size()) == clock.ticks());
+  EVBAL_EXPECT(static_cast<int>(ticks_.size()) == clock.ticks(), "every tick of the day");
   note_not_injected();
   file_.commit();
   const DayMetrics day = measure(header_.frame, ticks_);

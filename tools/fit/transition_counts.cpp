@@ -1,6 +1,7 @@
 #include "tools/fit/transition_counts.hpp"
 
-#include <cassert>
+#include "common/contract.hpp"
+
 #include <cmath>
 
 namespace evbal {
@@ -37,7 +38,7 @@ TransitionCounts::TransitionCounts(int regions)
     : vacant(Eigen::MatrixXd::Zero(regions, 3 * regions)), occupied(Eigen::MatrixXd::Zero(regions, 2 * regions)) {}
 
 void TransitionCounts::add(const std::vector<CarPlace>& start, const std::vector<CarPlace>& end) {
-  assert(start.size() == end.size());
+  EVBAL_EXPECT(start.size() == end.size(), "the same cars at start and end");
   const Eigen::Index n = vacant.rows();
   for (std::size_t car = 0; car < start.size(); ++car) {
     const CarPlace& from = start[car];

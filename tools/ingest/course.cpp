@@ -1,8 +1,8 @@
 #include "tools/ingest/course.hpp"
 
+#include "common/contract.hpp"
 #include "tools/records/local_clock.hpp"
 
-#include <cassert>
 #include <cmath>
 
 namespace evbal {
@@ -10,7 +10,7 @@ namespace {
 
 bool is_workday(const DemandDay& day) {
   const auto midnight = parse_time(day.date + " 00:00:00");
-  assert(midnight);
+  EVBAL_EXPECT(midnight, "a date");
   const long long weekday = (*midnight / (24 * 3600) + 4) % 7;  // 1970-01-01 was a Thursday; Sunday is 0
   return !day.holiday && weekday >= 1 && weekday <= 5;
 }
@@ -25,7 +25,7 @@ double excess_variance(const Eigen::MatrixXd& counts) {
 }  // namespace
 
 Course course_of(const std::vector<DemandDay>& days, int regions) {
-  assert(!days.empty());
+  EVBAL_EXPECT(!days.empty(), "at least one day");
   const auto steps = static_cast<Eigen::Index>(days.front().steps.size());
   Course course{Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(days.size()), steps), 0.0};
   Eigen::MatrixXd pickups(regions, 0);  // of the workdays

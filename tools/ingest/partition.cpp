@@ -1,5 +1,7 @@
 #include "tools/ingest/partition.hpp"
 
+#include "common/contract.hpp"
+
 #include <algorithm>
 #include <cassert>
 #include <limits>
@@ -170,7 +172,7 @@ std::vector<bool> reachable(const std::vector<std::vector<int>>& neighbours, int
 
 std::vector<int> partition(const ZoneGraph& graph, int parts) {
   const auto n = static_cast<int>(graph.weight.size());
-  assert(parts >= 1 && parts <= n);
+  EVBAL_EXPECT(parts >= 1 && parts <= n, "from one part to one a zone");
   const double total = std::accumulate(graph.weight.begin(), graph.weight.end(), 0.0);
   const double mean_weight = total > 0.0 ? total / parts : 1.0;
   Merging merging(graph);

@@ -1,10 +1,10 @@
 #include "tools/ingest/sessions.hpp"
 
 #include "agents/world/pack_table.hpp"
+#include "common/contract.hpp"
 #include "tools/records/text_lines.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <chrono>
 #include <optional>
 
@@ -103,7 +103,7 @@ SessionSample read_sessions(const std::filesystem::path& folder, const std::stri
 }
 
 std::vector<double> quantiles(const std::vector<double>& ascending, int n) {
-  assert(!ascending.empty() && n >= 2);
+  EVBAL_EXPECT(!ascending.empty() && n >= 2, "at least one value and two quantiles");
   std::vector<double> values;
   for (int q = 0; q < n; ++q) {
     const double at = static_cast<double>(ascending.size() - 1) * q / (n - 1);

@@ -1,7 +1,8 @@
 #include "tools/ingest/stations.hpp"
 
+#include "common/contract.hpp"
+
 #include <algorithm>
-#include <cassert>
 
 namespace evbal {
 namespace {
@@ -43,7 +44,8 @@ std::vector<int> spread_out(const Eigen::MatrixXd& km, const Eigen::VectorXd& de
 
 std::vector<StationChoice> choose_stations(const Eigen::MatrixXd& km, const Eigen::VectorXd& demand, int stations,
                                            int points) {
-  assert(stations >= 1 && stations <= km.rows() && points >= stations);
+  EVBAL_EXPECT(stations >= 1 && stations <= km.rows() && points >= stations,
+               "from one station to one a region, each with a point");
   const std::vector<int> chosen = spread_out(km, demand, stations);
   std::vector<double> served(chosen.size(), 0.0);
   for (int i = 0; i < km.rows(); ++i) {

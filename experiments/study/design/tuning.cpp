@@ -1,11 +1,11 @@
 #include "experiments/study/design/tuning.hpp"
 
+#include "common/contract.hpp"
 #include "coordinator/balancing/controllers.hpp"
 #include "experiments/record/text.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 
 namespace evbal {
@@ -163,7 +163,7 @@ void judge_round(const Tuning& tuning, const std::vector<FinishedDay>& days, std
     for (std::size_t i = 0; i < contest.left; ++i) {
       double sum = 0.0;
       for (std::size_t j = 0; j < replications; ++j) {
-        assert(day != days.end());
+        EVBAL_EXPECT(day != days.end(), "every day of the round");
         sum += priced(tuning.objective, *day++);
       }
       contest.candidates[i].objective = sum / static_cast<double>(replications);
@@ -173,7 +173,7 @@ void judge_round(const Tuning& tuning, const std::vector<FinishedDay>& days, std
                      [](const Candidate& a, const Candidate& b) { return a.objective < b.objective; });
     contest.left = (contest.left + 1) / 2;
   }
-  assert(day == days.end());
+  EVBAL_EXPECT(day == days.end(), "no day but the round's");
 }
 
 Tuned winners(const Tuning& tuning, const std::vector<Contest>& contests) {

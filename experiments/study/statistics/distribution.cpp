@@ -1,15 +1,15 @@
 #include "experiments/study/statistics/distribution.hpp"
 
+#include "common/contract.hpp"
 #include "experiments/metrics/quantile.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <numeric>
 
 namespace evbal {
 
 Distribution distribution_of(const std::vector<double>& values) {
-  assert(!values.empty());
+  EVBAL_EXPECT(!values.empty(), "at least one value");
   return {.min = quantile(values, 0.0),
           .q1 = quantile(values, 0.25),
           .median = quantile(values, 0.5),

@@ -1,12 +1,12 @@
 #include "experiments/study/statistics/intervals.hpp"
 
+#include "common/contract.hpp"
 #include "common/random.hpp"
 #include "experiments/metrics/quantile.hpp"
 
 #include <unsupported/Eigen/SpecialFunctions>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -23,7 +23,7 @@ double mean(const std::vector<double>& values) {
 }
 
 std::vector<double> day_means(const std::vector<DayValue>& values) {
-  assert(!values.empty());
+  EVBAL_EXPECT(!values.empty(), "at least one value");
   std::map<std::string, std::vector<double>> by_day;
   for (const auto& [day, value] : values) {
     by_day[day].push_back(value);
@@ -59,7 +59,8 @@ Interval unknown(double mean) {
 }  // namespace
 
 double student_t(double probability, int degrees) {
-  assert(probability > 0.0 && probability < 1.0 && degrees >= 1);
+  EVBAL_EXPECT(probability > 0.0 && probability < 1.0 && degrees >= 1,
+               "a probability within (0, 1) and at least one degree of freedom");
   double low = 0.0;
   double high = 1.0;
   while (outside(high, degrees) > 1.0 - probability) {

@@ -1,7 +1,8 @@
 #include "experiments/study/statistics/ranks.hpp"
 
+#include "common/contract.hpp"
+
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <cstddef>
 
@@ -31,7 +32,7 @@ double product(const std::vector<double>& a, const std::vector<double>& b) {
 }  // namespace
 
 double rank_correlation(const std::vector<double>& x, const std::vector<double>& y) {
-  assert(x.size() == y.size());
+  EVBAL_EXPECT(x.size() == y.size(), "pairs");
   const std::vector<double> a = centred_ranks(x);
   const std::vector<double> b = centred_ranks(y);
   const double sizes = product(a, a) * product(b, b);
