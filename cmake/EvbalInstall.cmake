@@ -7,6 +7,8 @@ foreach(shipped cities faults scenarios studies)
   install(DIRECTORY experiments/${shipped} DESTINATION share/evbal)
 endforeach()
 
+install(FILES LICENSE NOTICE docs/data-licences.md DESTINATION share/doc/evbal)
+
 evbal_install(evbal_eigen evbal_mrpt_math evbal_ipopt evbal_clp evbal_nlopt)
 include(CMakePackageConfigHelpers)
 set(package_folder lib/cmake/evbal)

@@ -19,7 +19,7 @@ def balance(km, spare, missing, errand):
 
 def plan(km, reports):
     spare, missing, low, free = {}, {}, {}, {}
-    for report in reports:  # where none came, nobody is sent from or to
+    for report in reports:  # a region without a report sends and gets nobody
         i = report["region"]
         coming = sum(cars["count"] for cars in report["bound"] if cars["errand"] == "rebalance")
         spare[i] = report["vacant"] - report["waiting"]

@@ -9,11 +9,11 @@
 
 namespace evbal {
 
-/// A stay at a station that is taken for charging (ChargingRule).
+/// A stay at a station that counts as charging (ChargingRule).
 struct ChargingStop {
   int station = 0;        ///< position in the list of stations
-  long long arrival = 0;  ///< UTC seconds: within reach of the station,
-  long long start = 0;    ///< standing where the vehicle stays longest: the wait is from arrival to then,
+  long long arrival = 0;  ///< UTC seconds: first fix within reach
+  long long start = 0;    ///< first fix that stands where the vehicle stands longest; it waits from arrival to then
   long long end = 0;      ///< last fix within reach
 };
 
@@ -23,11 +23,13 @@ class StationMap {
   /// There is one station at least.
   StationMap(const std::vector<Station>& stations, double within_m);
 
+  /// A place in metres around the stations' centre, as the other functions take it.
   LocalPoint local(LatLon place) const { return frame_.local(place); }
 
   /// Stations within reach, ascending.
   std::vector<int> around(LocalPoint place) const;
 
+  /// Metres from a station, by its position in the list.
   double metres(int station, LocalPoint place) const { return distance(places_[station], place); }
 
  private:
@@ -43,6 +45,7 @@ class StationMap {
 /// to where it stands longest.
 class StopFinder {
  public:
+  /// `stations` must outlive this.
   StopFinder(const StationMap& stations, const ChargingRule& rule) : stations_(stations), rule_(rule) {}
 
   /// The fix that follows in time; gives the stops that have ended, in the order of time.

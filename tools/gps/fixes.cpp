@@ -10,11 +10,11 @@ namespace evbal {
 namespace {
 
 constexpr long long kTellEvery = 100'000;  // rows
-constexpr long long kRowsToJudge = 100;    // a table none of whose first rows is sound is another table
+constexpr long long kRowsToJudge = 100;    // if so many first rows are malformed, the format is wrong
 
 using LastTimes = std::map<std::string, long long, std::less<>>;  ///< of each vehicle's last fix
 
-/// The vehicle that a file's name tells.
+/// The vehicle that a file is named after.
 std::string vehicle_of(const std::filesystem::path& file, const GpsFormat& format) {
   std::string name = file.filename().string();
   for (const std::string packed : {".gz", ".xz"}) {
@@ -32,7 +32,7 @@ std::string vehicle_of(const std::filesystem::path& file, const GpsFormat& forma
   return name.substr(format.file_prefix.size(), name.size() - around);
 }
 
-/// Whether a name may stand in a table as it is.
+/// Whether a name needs no quotes in a table.
 bool is_plain(std::string_view name) {
   return !name.empty() &&
          std::all_of(name.begin(), name.end(), [](char c) { return c > ' ' && c <= '~' && c != ',' && c != '"'; });

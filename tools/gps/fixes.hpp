@@ -13,22 +13,23 @@ namespace evbal {
 /// Where a vehicle was, and whether it carried passengers.
 struct Fix {
   long long time = 0;  ///< UTC seconds
+  /// WGS84.
   LatLon place;
-  bool occupied = false;
+  bool occupied = false;  ///< with passengers
 };
 
 /// How many rows were read, and dropped by reason.
 struct FixCount {
-  int files = 0;
-  long long read = 0;
-  std::map<std::string, long long> dropped;
+  int files = 0;                             ///< tables read
+  long long read = 0;                        ///< rows
+  std::map<std::string, long long> dropped;  ///< rows, by reason
 };
 
 /// How far the reading has come.
 struct FixProgress {
-  int file = 0;  ///< that is being read, from 1
-  int files = 0;
-  long long rows = 0;
+  int file = 0;        ///< that is being read, from 1
+  int files = 0;       ///< in all
+  long long rows = 0;  ///< read so far, of all files
 };
 
 /// Reads every table of `folder` as a stream, in the order of the files' names, and hands over the fixes with their

@@ -147,7 +147,7 @@ std::string ingest_gps(const GpsSources& sources, const std::filesystem::path& f
                        const std::function<void(const FixProgress&)>& tell) {
   const GpsFormat format = read_gps_format(sources.format);
   const TrackMap map = read_map(sources, format);
-  std::error_code ignored;  // the tables would say
+  std::error_code ignored;  // opening a table in it will fail
   std::filesystem::create_directories(folder / "trips", ignored);
   Tables tables(map, folder);
   const FixCount count = for_each_fix(

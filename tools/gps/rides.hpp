@@ -8,17 +8,18 @@ namespace evbal {
 
 /// From the first fix with passengers to the first without.
 struct Ride {
-  Fix pickup;
-  Fix dropoff;
+  Fix pickup;   ///< first fix with passengers
+  Fix dropoff;  ///< first fix without
 };
 
 /// A way without passengers: from the drop-off, or from where the records begin or go on after a gap.
 struct VacantMove {
+  /// Why it ended: passengers got in, the records have a gap, or they end.
   enum class End { pickup, gap, records };
-  Fix from;
-  Fix to;  ///< the pick-up, or the last fix before the gap or of the records
-  double km = 0.0;
-  End end = End::records;
+  Fix from;                ///< the drop-off, or the first fix of the records or after a gap
+  Fix to;                  ///< the pick-up, or the last fix before the gap or of the records
+  double km = 0.0;         ///< sum of the straight lines between its fixes
+  End end = End::records;  ///< why it ended
 };
 
 /// Metres between two fixes.
@@ -31,9 +32,10 @@ class RideFinder {
   /// A gap of more than `longest_gap` minutes ends a vacant move.
   explicit RideFinder(double longest_gap) : longest_gap_(longest_gap) {}
 
+  /// What a fix completes.
   struct Found {
-    std::optional<Ride> ride;
-    std::optional<VacantMove> vacant;
+    std::optional<Ride> ride;          ///< that ends with the fix
+    std::optional<VacantMove> vacant;  ///< that ends with the fix, or with the one before
   };
 
   /// The fix that follows in time.

@@ -13,9 +13,10 @@ namespace evbal {
 /// Says in which region a place lies.
 class RegionMap {
  public:
+  /// Places up to `snap_m` metres outside all regions belong to the nearest.
   RegionMap(const std::vector<Region>& regions, double snap_m) : outlines_(outlines_of(regions)), snap_m_(snap_m) {}
 
-  /// -1 if it lies in none and further than `snap_m` from the nearest.
+  /// The region of a place; -1 if it lies further than `snap_m` from all.
   int region_of(LatLon place) const {
     const auto nearest = outlines_.nearest(place);
     return nearest.metres <= snap_m_ ? nearest.outline : -1;
@@ -29,6 +30,7 @@ class RegionMap {
 /// Region transitions by time of day, counted from what single vehicles did (model, section 2).
 class TransitionCounter {
  public:
+  /// Counts nothing yet.
   explicit TransitionCounter(int regions);
 
   /// Minutes after midnight at which each period begins; the last ends at midnight.
@@ -37,32 +39,34 @@ class TransitionCounter {
   /// A vehicle was at `start` at this local time, and half an hour later at `end`.
   void add(long long local_time, const CarPlace& start, const CarPlace& end);
 
+  /// The counts, one for each of period_starts().
   const std::vector<TransitionCounts>& periods() const { return periods_; }
 
  private:
   std::vector<TransitionCounts> periods_;
 };
 
-/// What one vehicle was, every ten minutes: vacant where it is, occupied where its ride ends, waiting for a charger or
-/// plugged at its station. Nothing is known in gaps of the records, of rides that do not end, or outside the regions.
+/// The state of one vehicle every ten minutes: vacant where it is, occupied where its ride ends, waiting for a charger
+/// or plugged at its station. Left out: gaps of the records, rides that do not end, and places outside the regions.
 class StateLog {
  public:
+  /// `longest_gap` in minutes. Regions and clock must outlive this.
   StateLog(const RegionMap& regions, const LocalClock& clock, double longest_gap)
       : regions_(regions), clock_(clock), longest_gap_(longest_gap) {}
 
   /// The fix that follows in time.
   void add(const Fix& fix);
 
-  /// A stop at a station in that region, told after the fixes.
+  /// A stop at a station in that region, given after the fixes it lasts for.
   void add(const ChargingStop& stop, int region);
 
-  /// Counts what is known for good up to `until`: no stop that began before will still be told.
+  /// Counts what happened up to `until`. No stop that began before then may be added later.
   void settle(long long until, TransitionCounter& counter);
 
  private:
   struct Sample {
     long long time = 0;
-    long long fix = 0;  ///< time of the last fix before, which tells
+    long long fix = 0;  ///< time of the last fix before it
     CarPlace car;
     bool known = false;
   };

@@ -10,36 +10,38 @@ namespace evbal {
 /// What the tracks of all vehicles are read against. Without regions there are no transitions, without stations no
 /// charging stops; stations lie in regions.
 struct TrackMap {
-  std::vector<Region> regions;
-  std::vector<Station> stations;
-  std::optional<RegionMap> region_map;
-  std::optional<StationMap> station_map;
-  LocalClock clock{0};
-  ChargingRule rule;
+  std::vector<Region> regions;            ///< of the city; empty: no transitions
+  std::vector<Station> stations;          ///< of the city; empty: no charging stops
+  std::optional<RegionMap> region_map;    ///< with regions
+  std::optional<StationMap> station_map;  ///< with stations
+  LocalClock clock{0};                    ///< of the city
+  ChargingRule rule;                      ///< which stays count as charging
 
+  /// Makes the two maps of regions and stations.
   TrackMap(std::vector<Region> all_regions, std::vector<Station> all_stations, LocalClock local,
            const ChargingRule& charging);
 };
 
-/// What a vehicle has done by now, as its fixes tell.
+/// What a fix, or the end of the records, completes.
 struct TrackEvents {
-  std::optional<Ride> ride;
-  std::optional<VacantMove> vacant;
-  std::vector<ChargingStop> stops;
+  std::optional<Ride> ride;          ///< that has ended
+  std::optional<VacantMove> vacant;  ///< that has ended
+  std::vector<ChargingStop> stops;   ///< that have ended, in the order of time
 };
 
-/// The fixes of one vehicle.
+/// Follows one vehicle from fix to fix.
 class Track {
  public:
+  /// `map` must outlive this.
   explicit Track(const TrackMap& map);
 
-  /// The fix that follows in time. Counts transitions once they are known for good.
+  /// The fix that follows in time. Counts transitions that later fixes cannot change.
   TrackEvents add(const Fix& fix, TransitionCounter& counter);
 
-  /// What the end of the records brings.
+  /// Ends the records of this vehicle.
   TrackEvents finish(TransitionCounter& counter);
 
-  /// RideFinder::cut_off
+  /// Rides that were under way when the records began or ended (RideFinder::cut_off).
   int cut_off() const { return rides_.cut_off(); }
 
  private:

@@ -17,7 +17,7 @@ std::string time_of_day(int minute) {
   return two(minute / 60) + ":" + two(minute % 60);
 }
 
-/// The rows of one period, and how they are doing.
+/// The rows of one period, and how many of them are thin.
 class PeriodRows {
  public:
   explicit PeriodRows(const std::vector<Region>& regions) : regions_(regions) {}

@@ -15,8 +15,7 @@ struct Course {
 };
 
 /// Measured on `days`, all of a city's days with `regions` regions, in order: of its trips by day and step, and of its
-/// pick-ups by region and weekday around the region's share of the day's trips. Throws nothing; a city without trips
-/// has no course, all zeros.
+/// pick-ups by region and weekday around the region's share of the day's trips. A city without trips has all zeros.
 Course course_of(const std::vector<DemandDay>& days, int regions);
 
 }  // namespace evbal

@@ -7,15 +7,17 @@
 
 namespace evbal {
 
+/// What ingest_od reads.
 struct OdSources {
   std::filesystem::path trips;     ///< table of trips of one day between cells (OdFormat)
   std::filesystem::path zones;     ///< polygons to merge (read_zones)
   std::filesystem::path stations;  ///< table of charging stations (StationFormat)
   std::filesystem::path notes;     ///< YAML (read_od_notes)
   std::filesystem::path like;      ///< pack of a city with days on record
-  int regions = 54;
+  int regions = 54;                ///< to merge the zones into
 };
 
+/// What ingest_od makes.
 struct OdCity {
   City city;           ///< of factors
   std::string report;  ///< what was read, dropped and why; one item a line

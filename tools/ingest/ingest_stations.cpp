@@ -28,7 +28,7 @@ bool is_plain(std::string_view text) {
   return following == 0 && !text.empty();
 }
 
-/// Reads rows into stations, or says why not.
+/// Reads rows into stations, or gives the reason why it cannot.
 class StationReader {
  public:
   StationReader(const StationFormat& format, const std::vector<Outline>& outlines, double snap_m)

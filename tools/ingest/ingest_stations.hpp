@@ -11,16 +11,17 @@ namespace evbal {
 
 /// Where the columns of a table of stations are.
 struct StationFormat {
-  TableFormat table;
-  std::size_t name = 0;
-  std::size_t lat = 0;
-  std::size_t lon = 0;
-  std::size_t points = 0;
+  TableFormat table;       ///< separator, header and columns
+  std::size_t name = 0;    ///< column
+  std::size_t lat = 0;     ///< column, WGS84 degrees
+  std::size_t lon = 0;     ///< column, WGS84 degrees
+  std::size_t points = 0;  ///< column, number of charging points
 };
 
 /// Reads the keys `separator`, `header` and `columns`: {name, lat, lon, points} (docs/ingest.md).
 StationFormat read_station_format(YamlMap& map);
 
+/// What ingest_stations makes.
 struct IngestedStations {
   std::vector<Station> stations;  ///< by region, then in the order of the table
   std::string report;             ///< what was read, dropped and why; one item a line

@@ -8,6 +8,7 @@
 
 namespace evbal {
 
+/// What ingest_trips reads.
 struct TripSources {
   std::filesystem::path trips;     ///< folder of trip tables (for_each_trip)
   std::filesystem::path format;    ///< of the tables (read_trip_format); empty: own_trip_format
@@ -17,10 +18,11 @@ struct TripSources {
   int regions = 54;                ///< with those apart
 };
 
+/// What ingest_trips makes.
 struct IngestedCity {
-  City city;
-  std::vector<DemandDay> days;
-  std::string report;  ///< what was read, dropped and why; one item a line
+  City city;                    ///< without the demand of its days
+  std::vector<DemandDay> days;  ///< the demand, by day
+  std::string report;           ///< what was read, dropped and why; one item a line
 };
 
 /// Makes a city of trip records. The trips are streamed twice: once to weigh the zones, once to count between regions.

@@ -10,7 +10,7 @@
 namespace evbal {
 namespace {
 
-/// Zones within reach that hang together with the busiest of them.
+/// Zones within reach that are connected to the busiest of them.
 std::vector<bool> zones_in_city(const std::vector<Zone>& zones, const ZoneWeights& weights, double reach_km,
                                 const std::vector<std::vector<int>>& neighbours, const std::vector<int>& apart) {
   const LocalFrame frame(weights.mean_pickup);

@@ -10,7 +10,7 @@ namespace evbal {
 /// What the first reading of the trips tells about the zones.
 struct ZoneWeights {
   std::vector<double> pickups;  ///< by zone
-  LatLon mean_pickup;
+  LatLon mean_pickup;           ///< of all pick-ups, around which zones are within reach
 };
 
 /// Zones merged into regions.
@@ -19,7 +19,7 @@ struct MergedZones {
   std::vector<std::string> names;  ///< by region
 };
 
-/// Regions from north to south, then those apart. Zones count that lie within reach and hang together with the busiest
+/// Regions from north to south, then those apart. Zones count that lie within reach and are connected to the busiest
 /// one. Throws Error{bad_input} if that leaves too few zones, or if a place apart lies in none.
 MergedZones merge_zones(const std::vector<Zone>& zones, const ZoneWeights& weights, const CityNotes& notes,
                         int regions);

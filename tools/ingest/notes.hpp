@@ -11,13 +11,12 @@ namespace evbal {
 
 /// What raw records do not say about a city: read from a small YAML file such as tools/ingest/san-francisco.yaml.
 struct CityNotes {
-  City city;  ///< name, source, hours, days, fleet, passengers and the chargers' power
-  LocalClock clock{0};
+  City city;            ///< name, source, hours, days, fleet, passengers and the chargers' power
+  LocalClock clock{0};  ///< of the city
 
-  /// Which trips count.
-  double shortest_minutes = 1.0;
-  double longest_minutes = 120.0;
-  double fastest_kmh = 120.0;  ///< along the straight line
+  double shortest_minutes = 1.0;   ///< shorter trips are dropped
+  double longest_minutes = 120.0;  ///< longer trips are dropped
+  double fastest_kmh = 120.0;      ///< faster trips are dropped, by the straight line
 
   double detour = 1.3;     ///< driven distance over straight distance
   double reach_km = 20.0;  ///< zones further than this from the mean pick-up are left out
@@ -25,20 +24,20 @@ struct CityNotes {
 
   /// A place whose zone becomes a region of its own, such as an airport.
   struct Apart {
-    std::string name;
-    LatLon place;
+    std::string name;  ///< of the region
+    LatLon place;      ///< in the zone
   };
-  std::vector<Apart> apart;
+  std::vector<Apart> apart;  ///< zones that become regions of their own
 
-  int stations = 0;
-  int points = 0;  ///< of all stations, >= stations
+  int stations = 0;  ///< to place
+  int points = 0;    ///< of all stations, >= stations
 
   std::string session_model;       ///< word in the charger's model by which its sessions count
   double shortest_session = 12.0;  ///< minutes
-  double longest_session = 90.0;
+  double longest_session = 90.0;   ///< minutes
 };
 
-/// Throws Error{bad_input} with file and line.
+/// Reads such a file. Throws Error{bad_input} with file and line.
 CityNotes read_notes(const std::filesystem::path& file);
 
 }  // namespace evbal

@@ -8,9 +8,9 @@ namespace evbal {
 
 /// Zones as a graph: what partition() looks at.
 struct ZoneGraph {
-  std::vector<double> weight;  ///< what shall be balanced, not negative
-  std::vector<double> area;    ///< m2, positive
-  std::vector<LocalPoint> centre;
+  std::vector<double> weight;                ///< what shall be balanced, not negative
+  std::vector<double> area;                  ///< m2, positive
+  std::vector<LocalPoint> centre;            ///< of each zone
   std::vector<std::vector<int>> neighbours;  ///< symmetric, ascending
 };
 

@@ -6,12 +6,13 @@
 
 namespace evbal {
 
+/// Lengths of charging sessions, and how many rows were dropped and why.
 struct SessionSample {
   std::vector<double> minutes;  ///< ascending
-  long long read = 0;
-  long long other_model = 0;
-  long long unfinished = 0;    ///< without a readable start or end
-  long long out_of_range = 0;  ///< shorter or longer than asked for
+  long long read = 0;           ///< rows
+  long long other_model = 0;    ///< rows of other chargers
+  long long unfinished = 0;     ///< without a readable start or end
+  long long out_of_range = 0;   ///< shorter or longer than asked for
 };
 
 /// Lengths of the charging sessions in every table of `folder` with a column `Model` that contains `model`, within

@@ -11,8 +11,8 @@ namespace evbal {
 /// vanish stays as it was.
 std::vector<Zone> with_shared_borders(std::vector<Zone> zones, double tolerance_m);
 
-/// Joins what does not hang together, such as islands: what hangs together with the first zone gets an edge to the
-/// nearest centre that does not, until all do. `neighbours` is symmetric and ascending, and stays so.
+/// Connects the graph where it is not, as at islands: what is connected to the first zone gets an edge to the nearest
+/// centre that is not, until all are. `neighbours` is symmetric and ascending, and stays so.
 void connect_nearest(const std::vector<LocalPoint>& centres, std::vector<std::vector<int>>& neighbours);
 
 }  // namespace evbal

@@ -6,9 +6,10 @@
 
 namespace evbal {
 
+/// A station that is placed in a region.
 struct StationChoice {
-  int region = 0;
-  int points = 0;
+  int region = 0;  ///< where it stands
+  int points = 0;  ///< its charging points
 };
 
 /// Places `stations` in different regions, one after the other where it shortens most the way to the nearest station,

@@ -11,15 +11,17 @@ namespace evbal {
 
 /// minutes = start + per_km * km.
 struct TravelLaw {
-  double start = 0.0;
-  double per_km = 0.0;
+  double start = 0.0;   ///< minutes
+  double per_km = 0.0;  ///< minutes
 };
 
 /// Sums over trips from which km and minutes of every pair of regions follow, seen or not.
 class TravelSums {
  public:
+  /// No trips yet. Places are measured in metres around `origin`.
   TravelSums(int regions, LatLon origin);
 
+  /// Counts a trip from one region to another.
   void add(int from, int to, const Trip& trip);
 
   /// Mean of the trip ends in each region; `fallback` where there is none.
@@ -28,9 +30,10 @@ class TravelSums {
   /// Least squares over all trips.
   TravelLaw law() const;
 
+  /// Means of every pair of regions, N x N, from row to column.
   struct Matrices {
-    Eigen::MatrixXd km;
-    Eigen::MatrixXd minutes;
+    Eigen::MatrixXd km;       ///< driven distance
+    Eigen::MatrixXd minutes;  ///< driving time
   };
 
   /// Means per pair, shrunk: a pair's km towards detour * sqrt(D^2 + s_from^2 + s_to^2), the root mean square distance

@@ -13,7 +13,7 @@
 namespace evbal {
 namespace {
 
-constexpr long long kRowsToJudge = 100;  // a table none of whose first rows is sound is another table
+constexpr long long kRowsToJudge = 100;  // if so many first rows are malformed, the format is wrong
 
 struct Row {
   long long pickup = 0;  ///< UTC seconds
@@ -22,7 +22,7 @@ struct Row {
   LatLon to;
 };
 
-/// Reads the rows of tables, or says why not.
+/// Reads the rows of tables, or gives the reason why it cannot.
 class RowReader {
  public:
   RowReader(const TripFormat& format, const std::vector<Zone>& zones, const LocalClock& clock)
@@ -71,7 +71,7 @@ std::string date_of(std::chrono::sys_seconds local) {
          two(static_cast<unsigned>(date.day()));
 }
 
-/// Makes trips of rows, or says why not.
+/// Makes trips of rows, or gives the reason why it cannot.
 class Sieve {
  public:
   Sieve(const CityNotes& notes, bool by_zone) : notes_(notes), by_zone_(by_zone) {}

@@ -13,19 +13,19 @@ namespace evbal {
 
 /// One trip that counts.
 struct Trip {
-  int day = 0;   ///< position in City::days
-  int step = 0;  ///< of the pick-up
-  LatLon from;
-  LatLon to;
-  double minutes = 0.0;
-  double km = 0.0;  ///< straight distance x CityNotes::detour
+  int day = 0;           ///< position in City::days
+  int step = 0;          ///< of the pick-up
+  LatLon from;           ///< of the pick-up
+  LatLon to;             ///< of the drop-off
+  double minutes = 0.0;  ///< from pick-up to drop-off
+  double km = 0.0;       ///< straight distance x CityNotes::detour
 };
 
 /// How many rows were dropped, by reason; and how many were read.
 struct RowCount {
-  long long read = 0;
-  long long used = 0;
-  std::map<std::string, long long> dropped;
+  long long read = 0;                        ///< all rows
+  long long used = 0;                        ///< rows that are trips
+  std::map<std::string, long long> dropped;  ///< rows, by reason
 };
 
 /// Reads every trip table of `folder` as a stream, in the order of the files' names, and hands over the trips that

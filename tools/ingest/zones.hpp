@@ -11,27 +11,29 @@ namespace evbal {
 
 /// A corner of a zone in millionths of a degree (0.1 m): zones that touch share corners exactly.
 struct Corner {
-  int lat = 0;
-  int lon = 0;
+  int lat = 0;  ///< millionths of a degree
+  int lon = 0;  ///< millionths of a degree
+  /// By latitude, then longitude.
   auto operator<=>(const Corner&) const = default;  // NOLINT(modernize-use-nullptr): a false alarm
 };
 
+/// The corner in degrees.
 LatLon point_of(Corner corner);
 
 /// A polygon of the map that regions are merged from. Outer rings run counter-clockwise, holes clockwise; the first
 /// corner is not repeated.
 struct Zone {
-  std::vector<std::vector<Corner>> rings;
-  LatLon centre;         ///< of the area
-  double area_m2 = 0.0;  ///< holes taken off
-  std::string name;      ///< what ZoneFields::name says of it, else its position in the file, from 0
-  double weight = 0.0;   ///< what ZoneFields::weight says of it, else its area
+  std::vector<std::vector<Corner>> rings;  ///< outer rings and holes
+  LatLon centre;                           ///< of the area
+  double area_m2 = 0.0;                    ///< holes taken off
+  std::string name;                        ///< what ZoneFields::name says of it, else its position in the file, from 0
+  double weight = 0.0;                     ///< what ZoneFields::weight says of it, else its area
 };
 
-/// Which fields of the file tell a zone's name and weight; empty where none does.
+/// Which fields of the file hold a zone's name and weight.
 struct ZoneFields {
-  std::string name;
-  std::string weight;
+  std::string name;    ///< field, empty: none
+  std::string weight;  ///< field, empty: none
 };
 
 /// Twice the signed area, in square millionths of a degree; positive if counter-clockwise.

@@ -11,14 +11,16 @@ namespace evbal {
 /// UTC or as the clocks show.
 class LocalClock {
  public:
+  /// Clocks that are set forward or back.
   struct Change {
-    long long utc = 0;  ///< from then on
-    int minutes = 0;    ///< clocks are so far ahead
+    long long utc = 0;  ///< seconds, from which it holds
+    int minutes = 0;    ///< that clocks are ahead of UTC
   };
 
   /// `minutes` up to the first change; changes ascend and are more than a day apart.
   explicit LocalClock(int minutes, std::vector<Change> changes = {});
 
+  /// What clocks show at `utc`.
   long long local(long long utc) const { return utc + 60LL * minutes_at(utc); }
 
   /// When clocks show `local`, ascending: never in the hour that daylight saving skips, twice in the one that it

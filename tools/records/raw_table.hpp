@@ -11,7 +11,7 @@
 
 namespace evbal {
 
-/// How the tables of one's own records are laid out, so that other cities' files fit as they are.
+/// How a table of raw records is laid out.
 struct TableFormat {
   char separator = ',';  ///< a blank stands for any number of blanks and tabs
   bool header = true;    ///< the first line names the columns
@@ -26,7 +26,7 @@ TableFormat read_table_format(YamlMap& map);
 /// for.
 std::size_t add_column(TableFormat& format, const YamlValue& value);
 
-/// Why a row is dropped whose fields are missing or are not what they should be.
+/// The reason under which rows are counted that lack fields or whose fields cannot be read.
 inline constexpr const char* malformed_row = "malformed row";
 
 /// The rows of a table of raw records, plain or compressed, as a stream. Fields may stand in double quotes.
@@ -38,7 +38,7 @@ class RawTable {
   /// Moves to the next row that is not empty; false at the end. Throws as LineReader does.
   bool next();
 
-  /// False if the row has too few fields: it must not be asked for any.
+  /// False if the row has too few fields; then text() must not be called.
   bool whole() const { return whole_; }
 
   /// A field of the row by its position among the columns asked for, without blanks around it.

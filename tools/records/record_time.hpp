@@ -6,18 +6,18 @@
 
 namespace evbal {
 
-/// How the tables of records tell the time.
+/// The form of a time in tables of records.
 enum class TimeForm {
-  unix_seconds,
-  utc,    ///< "2008-05-18 07:31:05"
-  local,  ///< the same as clocks show it
+  unix_seconds,  ///< since 1970-01-01 00:00 UTC
+  utc,           ///< "2008-05-18 07:31:05"
+  local,         ///< the same as clocks show it
 };
 
 /// Reads the key `time`: unix, utc or local.
 TimeForm read_time_form(YamlMap& map);
 
-/// Puts UTC seconds into `time`; a local time that clocks show twice is the first one after `after`. Gives null, or why
-/// not: malformed_row if it is no time, another reason if the clocks skipped it.
+/// Puts UTC seconds into `time`; a local time that clocks show twice is the first one after `after`. Returns null, or
+/// the reason for which the row is dropped: malformed_row if it is no time, another if the clocks skipped it.
 const char* read_record_time(std::string_view text, TimeForm form, const LocalClock& clock, long long after,
                              long long& time);
 

@@ -42,7 +42,7 @@ struct LineReader::Stream {
 LineReader::LineReader(const std::filesystem::path& file, std::size_t longest)
     : stream_(std::make_unique<Stream>()), file_(file.string()), longest_(longest) {
   archive* opened = stream_->opened.get();
-  // Not all that there are: some start another program.
+  // Not all filters that libarchive has: some start another program.
   archive_read_support_filter_gzip(opened);
   archive_read_support_filter_xz(opened);
   archive_read_support_filter_bzip2(opened);

@@ -14,7 +14,7 @@ namespace evbal {
 /// the file. Throws Error{bad_input} with file and line if the file is missing, cannot be unpacked, or truncated.
 class LineReader {
  public:
-  /// A line of more than `longest` bytes is refused: no text with lines.
+  /// A file with a line of more than `longest` bytes is refused, since it is hardly text.
   explicit LineReader(const std::filesystem::path& file, std::size_t longest = SIZE_MAX);
   ~LineReader();
   LineReader(const LineReader&) = delete;
