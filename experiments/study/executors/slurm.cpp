@@ -6,16 +6,12 @@
 #include "common/text_of_file.hpp"
 #include "experiments/record/text.hpp"
 #include "experiments/run/record_day.hpp"
+#include "experiments/study/executors/slurm_commands.hpp"
 #include "experiments/study/store/sweep_file.hpp"
 
 #include <algorithm>
-#include <array>
-#include <chrono>
-#include <cstdio>
-#include <cstdlib>
+#include <iterator>
 #include <map>
-#include <memory>
-#include <optional>
 #include <set>
 #include <thread>
 #include <utility>
@@ -26,9 +22,29 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
-constexpr std::size_t longest_array = 1000;  // Slurm's MaxArraySize, unless a site sets another, is 1001
-constexpr auto between_looks = 500ms;
-constexpr int looks_at_cancelled = 600;  // well above the 90 s after which Slurm gives a task up
+constexpr std::chrono::milliseconds glance = 500ms;  // between looks into the folder, which cost Slurm nothing
+constexpr std::chrono::milliseconds first_question = 2s;
+constexpr std::chrono::milliseconds rarest_question = 30s;
+constexpr std::chrono::milliseconds end_of_cancelled = 5min;  // well above the 90 s after which Slurm gives a task up
+
+/// When to ask Slurm, which serves many users: soon at first, then ever more rarely.
+class Questions {
+ public:
+  /// Whether to ask now that this time has passed.
+  bool due(std::chrono::milliseconds passed) {
+    waited_ += passed;
+    if (waited_ < interval_) {
+      return false;
+    }
+    waited_ = 0ms;
+    interval_ = std::min(2 * interval_, rarest_question);
+    return true;
+  }
+
+ private:
+  std::chrono::milliseconds waited_ = 0ms;
+  std::chrono::milliseconds interval_ = first_question;
+};
 
 /// For a shell.
 std::string quoted(const std::string& text) {
@@ -39,91 +55,16 @@ std::string quoted(const std::string& text) {
   return result + "'";
 }
 
-/// What a command of Slurm says. Throws Error{run_failed} if it fails.
-std::string said_by(const std::string& command) {
-  FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-  if (pipe == nullptr) {
-    throw run_failed("`" + command + "`: no process can be started");
-  }
-  std::string said;
-  std::array<char, 4096> part{};
-  for (std::size_t length = 0; (length = fread(part.data(), 1, part.size(), pipe)) > 0;) {
-    said.append(part.data(), length);
-  }
-  if (pclose(pipe) != 0) {
-    throw run_failed("`" + command + "` failed: " + said);
-  }
-  return said;
-}
-
-void cancel(const std::string& array) {
-  [[maybe_unused]] const int status = std::system(("scancel " + quoted(array)).c_str());
-}
-
-/// A job array, cancelled if it is left before its end.
-class JobArray {
- public:
-  /// `names`: of tasks, in the order of their numbers.
-  JobArray(const fs::path& folder, std::vector<std::string> names, int at_a_time) : names_(std::move(names)) {
-    const fs::path list = folder / ("array-" + names_.front() + ".txt");
-    const fs::path script = folder / ("array-" + names_.front() + ".sh");
-    std::string text;
-    for (const auto& name : names_) {
-      text += name + "\n";
-    }
-    write_file(list, text);
-    write_file(script, "#!/bin/sh\nname=$(sed -n \"${SLURM_ARRAY_TASK_ID}p\" " + quoted(list.string()) + ")\nexec " +
-                           quoted((own_folder() / "evbal").string()) + " slurm-task \"$name.yaml\"\n");
-    const std::string limit = at_a_time > 0 ? "%" + std::to_string(at_a_time) : "";
-    id_ = said_by("sbatch --parsable --job-name=evbal --ntasks=1 --output=%A-%a.log --array=1-" +
-                  std::to_string(names_.size()) + limit + " --chdir=" + quoted(folder.string()) + " " +
-                  quoted(script.string()));
-    id_ = id_.substr(0, id_.find_first_of(";\n"));  // a cluster's name may follow
-  }
-  ~JobArray() {
-    if (!id_.empty()) {
-      cancel(id_);
-    }
-  }
-  JobArray(JobArray&& other) noexcept : names_(std::move(other.names_)), id_(std::exchange(other.id_, "")) {}
-  JobArray& operator=(JobArray&&) = delete;
-  JobArray(const JobArray&) = delete;
-  JobArray& operator=(const JobArray&) = delete;
-
-  const std::string& id() const { return id_; }
-  const std::vector<std::string>& names() const { return names_; }
-  void ended() { id_.clear(); }
-
- private:
-  std::vector<std::string> names_;
-  std::string id_;  ///< empty once it has ended
-};
-
-/// The arrays of which tasks in `folder` wait, run or are being ended; nothing if Slurm does not say now.
-std::optional<std::set<std::string>> working_in(const fs::path& folder) {
-  try {
-    std::set<std::string> arrays;
-    for (const auto& line : split(said_by("squeue --me --noheader --format='%F %Z'"), '\n')) {
-      const auto space = line.find(' ');
-      std::error_code no_such_place;
-      if (fs::equivalent(line.substr(space + 1), folder, no_such_place)) {
-        arrays.insert(line.substr(0, space));
-      }
-    }
-    return arrays;
-  } catch (const Error&) {
-    return std::nullopt;
-  }
-}
-
 /// Throws Error{run_failed} if a task does not end. Where there is no Slurm, nothing is to be cancelled.
-void cancel_all_in(const fs::path& folder) {
-  auto arrays = working_in(folder).value_or(std::set<std::string>{});
-  std::ranges::for_each(arrays, cancel);
-  for (int look = 0; look < looks_at_cancelled && !arrays.empty(); ++look) {
-    std::this_thread::sleep_for(between_looks);
-    check_interrupt();
-    arrays = working_in(folder).value_or(arrays);
+void cancel_all_in(const fs::path& folder, const Pause& pause) {
+  auto arrays = arrays_in(folder).value_or(std::set<std::string>{});
+  cancel(arrays);
+  Questions questions;
+  for (auto waited = 0ms; waited < end_of_cancelled && !arrays.empty(); waited += glance) {
+    pause(glance);
+    if (questions.due(glance)) {
+      arrays = arrays_in(folder).value_or(arrays);
+    }
   }
   if (!arrays.empty()) {
     throw run_failed("job array " + *arrays.begin() +
@@ -131,93 +72,164 @@ void cancel_all_in(const fs::path& folder) {
   }
 }
 
+/// The tasks in `folder` that have left a result.
+std::set<std::string> results_in(const fs::path& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() == ".sqlite") {
+      names.insert(entry.path().stem());
+    }
+  }
+  return names;
+}
+
 /// What a task that left no result has said.
 std::string complaint_of(const fs::path& log) {
-  const std::string said = fs::exists(log) ? text_of_file(log) : "";
+  const std::string said = text_of_file(log);
   return said.empty() ? "its task has ended without a result" : said;
 }
 
-/// Days that were submitted and of which nothing was heard yet.
+/// Days that were submitted and of which nothing was heard yet. Cancelled when the object dies.
 class Submitted {
  public:
-  Submitted(const std::vector<std::size_t>& days, const SlurmTasks& tasks) : folder_(fs::absolute(tasks.folder)) {
+  Submitted(const SlurmTasks& tasks, const Done& done)
+      : tasks_(tasks), done_(done), folder_(fs::absolute(tasks.folder)) {
     fs::create_directories(folder_);
-    for (std::size_t first = 0; first < days.size(); first += longest_array) {
-      std::vector<std::string> names;
-      for (std::size_t i = first; i < std::min(days.size(), first + longest_array); ++i) {
-        const SlurmTask task = tasks.task(days[i]);
-        write_file(folder_ / (task.name + ".yaml"), task.scenario);
-        left_[task.name] = days[i];
-        names.push_back(task.name);
-        check_interrupt();
-      }
-      arrays_.emplace_back(folder_, std::move(names), tasks.at_a_time);
+  }
+  ~Submitted() { cancel({arrays_.begin(), arrays_.end()}); }
+  Submitted(const Submitted&) = delete;
+  Submitted& operator=(const Submitted&) = delete;
+
+  /// As arrays side by side, of which each may be followed by others: so no more tasks run at a time than may.
+  void submit_all(const std::vector<std::size_t>& days) {
+    const std::size_t longest_array = tasks_.longest_array;
+    const std::size_t arrays = (days.size() + longest_array - 1) / longest_array;
+    const auto at_a_time = static_cast<std::size_t>(tasks_.at_a_time);
+    const std::size_t side_by_side =
+        at_a_time == 0 ? arrays : std::clamp<std::size_t>((at_a_time + longest_array - 1) / longest_array, 1, arrays);
+    for (std::size_t i = 0; i < arrays; ++i) {
+      const auto first = days.begin() + static_cast<std::ptrdiff_t>(i * longest_array);
+      const auto last = days.begin() + static_cast<std::ptrdiff_t>(std::min(days.size(), (i + 1) * longest_array));
+      submit_array({first, last}, static_cast<int>(at_a_time / side_by_side),
+                   i < side_by_side ? "" : arrays_[i - side_by_side]);
     }
   }
 
   bool any() const { return !left_.empty(); }
 
-  void look(const SlurmTasks& tasks, const Done& done) {
-    const auto going_on = working_in(folder_);
-    for (auto& array : arrays_) {
-      const bool over = going_on && !going_on->contains(array.id());
-      for (std::size_t i = 0; i < array.names().size() && !array.id().empty(); ++i) {
-        take(array, i, over, tasks, done);
-      }
-      if (over) {
-        array.ended();
+  void take_results() {
+    for (const auto& name : results_in(folder_)) {
+      const auto task = left_.find(name);
+      if (task != left_.end()) {
+        const fs::path result = folder_ / (name + ".sqlite");
+        tasks_.merge(result);
+        for (const auto& file : {result, log_of(task->second), folder_ / (name + ".yaml")}) {
+          fs::remove(file);
+        }
+        end(task, "");
       }
     }
+  }
+
+  /// Takes note of tasks that have ended without a result, if Slurm says so.
+  void ask() {
+    const auto going_on = arrays_in(folder_);
+    if (!going_on) {
+      return;
+    }
+    take_results();  // of tasks that ended before Slurm was asked
+    for (auto next = left_.begin(); next != left_.end();) {
+      const auto task = next++;
+      if (!going_on->contains(task->second.array)) {
+        end(task, complaint_of(log_of(task->second)));
+      }
+    }
+    std::erase_if(arrays_, [&](const std::string& id) { return !going_on->contains(id); });
   }
 
  private:
-  void take(const JobArray& array, std::size_t i, bool over, const SlurmTasks& tasks, const Done& done) {
-    const std::string& name = array.names()[i];
-    const auto day = left_.find(name);
-    const fs::path result = folder_ / (name + ".sqlite");
-    if (day == left_.end() || !(over || fs::exists(result))) {
-      return;
+  struct Task {
+    std::size_t day = 0;
+    std::string array;       ///< its id
+    std::size_t number = 0;  ///< in the array, from 1
+  };
+  using Tasks = std::map<std::string, Task>;  ///< by name
+
+  void submit_array(const std::vector<std::size_t>& days, int at_a_time, const std::string& after) {
+    std::vector<std::string> names;
+    std::string list;
+    for (const std::size_t day : days) {
+      const SlurmTask task = tasks_.task(day);
+      write_file(folder_ / (task.name + ".yaml"), task.scenario);
+      names.push_back(task.name);
+      list += task.name + "\n";
+      check_interrupt();
     }
-    const fs::path log = folder_ / (array.id() + "-" + std::to_string(i + 1) + ".log");
-    std::string complaint;
-    if (fs::exists(result)) {
-      tasks.merge(result);
-      for (const auto& file : {result, log, folder_ / (name + ".yaml")}) {
-        fs::remove(file);
-      }
-    } else {
-      complaint = complaint_of(log);
+    const fs::path list_file = folder_ / ("array-" + names.front() + ".txt");
+    const fs::path script = folder_ / ("array-" + names.front() + ".sh");
+    write_file(list_file, list);
+    write_file(script, "#!/bin/sh\nname=$(sed -n \"${SLURM_ARRAY_TASK_ID}p\" " + quoted(list_file.string()) +
+                           ")\nexec " + quoted((own_folder() / "evbal").string()) + " slurm-task \"$name.yaml\"\n");
+    arrays_.push_back(submitted({script, folder_, days.size(), at_a_time, after}));
+    for (std::size_t i = 0; i < days.size(); ++i) {
+      left_[names[i]] = {days[i], arrays_.back(), i + 1};
     }
-    done(day->second, complaint);
-    left_.erase(day);
   }
 
+  /// The id of the array, which Slurm has taken. What it took without saying its id is cancelled.
+  std::string submitted(const JobArray& array) const {
+    try {
+      return submit(array);
+    } catch (const Error&) {
+      cancel(arrays_in(folder_).value_or(std::set<std::string>{}));
+      throw;
+    }
+  }
+
+  fs::path log_of(const Task& task) const {
+    return folder_ / (task.array + "-" + std::to_string(task.number) + ".log");
+  }
+
+  void end(Tasks::iterator task, const std::string& complaint) {
+    done_(task->second.day, complaint);
+    left_.erase(task);
+  }
+
+  const SlurmTasks& tasks_;
+  const Done& done_;
   fs::path folder_;
-  std::map<std::string, std::size_t> left_;  ///< positions by name
-  std::vector<JobArray> arrays_;
+  Tasks left_;
+  std::vector<std::string> arrays_;  ///< ids of those that are not over
 };
 
 }  // namespace
 
-void merge_left(const fs::path& folder, const std::function<void(const fs::path&)>& merge) {
+void pause_unless_interrupted(std::chrono::milliseconds length) {
+  std::this_thread::sleep_for(length);
+  check_interrupt();
+}
+
+void merge_left(const fs::path& folder, const std::function<void(const fs::path&)>& merge, const Pause& pause) {
   if (!fs::exists(folder)) {
     return;
   }
-  cancel_all_in(folder);
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() == ".sqlite") {
-      merge(entry.path());
-    }
+  cancel_all_in(folder, pause);
+  for (const auto& name : results_in(folder)) {
+    merge(folder / (name + ".sqlite"));
   }
   fs::remove_all(folder);
 }
 
 void work_on_slurm(const std::vector<std::size_t>& days, const SlurmTasks& tasks, const Done& done) {
-  Submitted submitted(days, tasks);
+  Submitted submitted(tasks, done);
+  submitted.submit_all(days);
+  Questions questions;
   while (submitted.any()) {
-    std::this_thread::sleep_for(between_looks);
-    check_interrupt();
-    submitted.look(tasks, done);
+    tasks.pause(glance);
+    submitted.take_results();
+    if (submitted.any() && questions.due(glance)) {
+      submitted.ask();
+    }
   }
 }
 
