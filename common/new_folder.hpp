@@ -16,6 +16,7 @@ class NewFolder {
   NewFolder(const NewFolder&) = delete;
   NewFolder& operator=(const NewFolder&) = delete;
 
+  /// Where to write meanwhile.
   const std::filesystem::path& path() const { return partial_; }
 
   /// Puts the folder in its place. Throws Error{run_failed}.

@@ -13,9 +13,12 @@ class Pipe {
 
   /// -1 once closed.
   int read_end() const { return read_end_; }
+  /// Its file descriptor, -1 if closed.
   int write_end() const { return write_end_; }
 
+  /// Closes it, if it is open.
   void close_read_end();
+  /// Closes it, if it is open.
   void close_write_end();
 
  private:

@@ -10,9 +10,9 @@ namespace evbal {
 
 /// Open files of this process that a new one gets as its standard input, output and error output.
 struct StandardStreams {
-  int input = 0;
-  int output = 1;
-  int errors = 2;
+  int input = 0;   ///< file descriptor of its standard input
+  int output = 1;  ///< file descriptor of its standard output
+  int errors = 2;  ///< file descriptor of its standard error
 };
 
 /// Starts a program, looked for in $PATH if it has no slash, and gives its process id. It has no other open file than

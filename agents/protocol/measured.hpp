@@ -10,8 +10,8 @@ namespace evbal {
 
 /// A count of a report that a sensor measures.
 struct Measured {
-  const char* name;
-  std::int32_t Report::*member;
+  const char* name;              ///< in schedules and records
+  std::int32_t Report::*member;  ///< where it stands in a report
 };
 
 /// All of them, in the order of ReportField.

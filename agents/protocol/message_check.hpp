@@ -11,18 +11,21 @@ namespace evbal {
 
 /// What bounds the messages of a run.
 struct MessageBounds {
-  int regions = 0;
-  int vehicles = 0;  ///< of the whole fleet
-  double battery_kwh = 0.0;
+  int regions = 0;            ///< of the city
+  int vehicles = 0;           ///< of the whole fleet
+  double battery_kwh = 0.0;   ///< of each vehicle
   double longest_trip = 0.0;  ///< minutes, between any two regions, on a day without faults
-  DayClock clock;
+  DayClock clock;             ///< of the run
 };
 
 /// What is wrong with a message, in a few words; empty if nothing is. One that passes holds no region, minute, vehicle
 /// or fault that does not exist, no number that is none, and none so large that it could not be counted on with.
 std::string complaint(const Faults& message, const MessageBounds& bounds);
+/// The same of a tick.
 std::string complaint(const Tick& message, const MessageBounds& bounds);
+/// The same of a plan.
 std::string complaint(const Plan& message, const MessageBounds& bounds);
+/// The same of departures.
 std::string complaint(const Departures& message, const MessageBounds& bounds);
 
 /// Throws Error{run_failed}: `sender` said of `tick` what is `wrong`.

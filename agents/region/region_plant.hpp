@@ -13,15 +13,15 @@ namespace evbal {
 
 /// A vehicle at a charging point.
 struct Session {
-  Vehicle vehicle;
-  int since = 0;  ///< minute at which it was plugged in
-  int ends = 0;   ///< minute at which it leaves if nothing happens
+  Vehicle vehicle;  ///< that is plugged in
+  int since = 0;    ///< minute at which it was plugged in
+  int ends = 0;     ///< minute at which it leaves if nothing happens
 };
 
 /// A vehicle that cannot be used until its fault ends.
 struct BrokenDown {
-  Vehicle vehicle;
-  int fault = 0;
+  Vehicle vehicle;  ///< that has broken down
+  int fault = 0;    ///< position in the resolved schedule
 };
 
 /// All that a region carries from one tick to the next.
@@ -34,14 +34,16 @@ struct RegionState {
   int demand = 0;                  ///< passengers who appeared since the last report
   int completions = 0;             ///< sessions that ended charged since the last report
   std::vector<BrokenDown> broken;  ///< in the order in which they broke down
-  SensorMemory sensors;
+  SensorMemory sensors;            ///< what faulty sensors showed
 };
 
+/// What a vehicle in a region is doing.
 enum class VehicleState { vacant, low_battery, plugged, broken };
 
+/// A vehicle of the region.
 struct VehiclePlace {
-  int vehicle = 0;
-  VehicleState state = VehicleState::vacant;
+  int vehicle = 0;                            ///< its id
+  VehicleState state = VehicleState::vacant;  ///< what it is doing
 };
 
 /// One region as it really is: whole vehicles, minute by minute. Per tick call begin, then report if a plan is due,
@@ -91,11 +93,13 @@ class RegionPlant {
   /// none is due; one of another tick is refused as a whole.
   Departures live(const Plan* plan);
 
+  /// Which region this is.
   int region() const { return region_; }
 
   /// Every vehicle that is here, by id.
   std::vector<VehiclePlace> census() const;
 
+  /// All that it carries over to the next tick.
   const RegionState& state() const { return state_; }
 
  private:

@@ -10,14 +10,15 @@ namespace evbal {
 
 /// The numbers that sensors measure, as they really were when a report was made; by `measured`.
 struct Reading {
-  int tick = 0;
+  int tick = 0;  ///< of the report
+  /// In the order of `measured`.
   std::array<std::int32_t, measured.size()> values{};
 };
 
 /// What a sensor fault holds on to.
 struct HeldValue {
-  int fault = 0;
-  std::int32_t value = 0;
+  int fault = 0;           ///< position in the resolved schedule
+  std::int32_t value = 0;  ///< that the sensor is stuck at
 };
 
 /// What sensors say must be known of earlier reports.

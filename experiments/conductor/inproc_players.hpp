@@ -11,7 +11,9 @@ namespace evbal {
 /// The others as objects in this process, by direct calls.
 class InprocPlayers : public Players {
  public:
+  /// Makes the plan of a tick from its reports.
   using Planner = std::function<Plan(const Tick& tick, const std::vector<Report>& reports)>;
+  /// Says which faults are active in a tick.
   using Injector = std::function<Faults(int tick)>;
 
   /// `world` must outlive the players. Processes that are taken away keep what they know, as over DDS: here nothing
@@ -22,6 +24,7 @@ class InprocPlayers : public Players {
   Exchange play(const Tick& tick) override;
   int regions_per_process() const override { return regions_per_process_; }
 
+  /// The regions as they stand.
   const std::vector<RegionPlant>& plants() const { return plants_; }
 
  private:

@@ -38,6 +38,7 @@ class LossyNetwork {
 /// This thread in another network namespace as long as the object lives; in its own if `file` is -1.
 class InNamespace {
  public:
+  /// Enters the namespace of this file descriptor. Throws Error{run_failed}.
   explicit InNamespace(int file);
   ~InNamespace();
   InNamespace(const InNamespace&) = delete;

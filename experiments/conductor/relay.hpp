@@ -13,7 +13,8 @@ namespace evbal {
 
 /// An end of the network: a TUN device, which gives and takes IPv4 packets, and its address (host byte order).
 struct TunEnd {
-  int file = -1;
+  int file = -1;  ///< file descriptor of the TUN device
+  /// IPv4, host byte order.
   std::uint32_t address = 0;
 };
 

@@ -9,9 +9,9 @@ namespace evbal {
 
 /// A vehicle on the road.
 struct RoadPlace {
-  int vehicle = 0;
-  int destination = 0;
-  Errand errand = Errand::passenger;
+  int vehicle = 0;                    ///< its id
+  int destination = 0;                ///< region
+  Errand errand = Errand::passenger;  ///< why it is on the road
 };
 
 /// The vehicles under way, and which region holds each of the others. Once per tick: hand_out, then take what each
@@ -33,6 +33,7 @@ class Roads {
   /// and region if it sends a vehicle that it does not hold, to nowhere, or into the past.
   void take(const Departures& departures, int tick_end);
 
+  /// Vehicles on the road.
   int count() const { return static_cast<int>(on_road_.size()); }
 
   /// Vehicles that `region` must have.

@@ -5,6 +5,7 @@
 /// The numbers of each row by name, in the order of the files: `visit("name", value)`.
 namespace evbal {
 
+/// Of what adds up over time.
 template <class Visit>
 void columns(Visit&& visit, const Flows& f) {
   visit("demand", f.demand);
@@ -23,6 +24,7 @@ void columns(Visit&& visit, const Flows& f) {
   visit("charged_kwh", f.charged_kwh);
 }
 
+/// Of how things stand at a step's end.
 template <class Visit>
 void columns(Visit&& visit, const Stocks& s) {
   visit("vacant", s.vacant);
@@ -33,6 +35,7 @@ void columns(Visit&& visit, const Stocks& s) {
   visit("broken", s.broken);
 }
 
+/// Of the unfairness.
 template <class Visit>
 void columns(Visit&& visit, const Unfairness& u) {
   visit("unfairness_demand", u.demand);
@@ -42,6 +45,7 @@ void columns(Visit&& visit, const Unfairness& u) {
   visit("unfairness_demand_drop_offs", u.demand_drop_offs);
 }
 
+/// Of a row of regions.csv.
 template <class Visit>
 void columns(Visit&& visit, const RegionStep& r) {
   visit("step", r.step);
@@ -52,6 +56,7 @@ void columns(Visit&& visit, const RegionStep& r) {
   visit("low_battery_present", r.low_battery_present);
 }
 
+/// Of a row of steps.csv.
 template <class Visit>
 void columns(Visit&& visit, const CityStep& c) {
   visit("step", c.step);
@@ -62,6 +67,7 @@ void columns(Visit&& visit, const CityStep& c) {
   visit("under_way", c.under_way);
 }
 
+/// Of a day's totals.
 template <class Visit>
 void columns(Visit&& visit, const Totals& t) {
   visit("idle_km", t.idle_km);

@@ -23,7 +23,9 @@ struct Unfairness {
   double charging = 0.0;          ///< sum_{i in C} |c_i / max(Y_i, 1) - sum c / max(sum Y, 1)|, C = regions with points
   double charging_shares = 0.0;   ///< sum_{i in C} |c_i / sum c - Y_i / sum Y|
 
+  /// Adds another, number by number.
   Unfairness& operator+=(const Unfairness& other);
+  /// Divides each number.
   Unfairness operator/(double divisor) const;
 };
 

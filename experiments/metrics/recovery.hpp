@@ -10,33 +10,34 @@ namespace evbal {
 
 /// When a fault acts, in minutes since the day's start.
 struct FaultWindow {
-  int start = 0;
-  int end = 0;  ///< may lie beyond the day
+  int start = 0;  ///< minute
+  int end = 0;    ///< may lie beyond the day
 };
 
 /// A metric's value in each step of both days. `with` and `without` are as long.
 struct PairedCurves {
-  std::span<const double> with;
-  std::span<const double> without;
-  int step_minutes = 0;
+  std::span<const double> with;     ///< with faults, by step
+  std::span<const double> without;  ///< without faults, by step
+  int step_minutes = 0;             ///< length of a step
 };
 
 /// How one metric of a day with faults stands to the same day without them.
 struct FaultCost {
-  double with = 0.0;     ///< over the day: sum over the steps, of stocks the mean
-  double without = 0.0;  ///< likewise
-  double area = 0.0;     ///< between the curves: value x hours
-  double signed_area = 0.0;
+  double with = 0.0;                           ///< over the day: sum over the steps, of stocks the mean
+  double without = 0.0;                        ///< likewise
+  double area = 0.0;                           ///< between the curves: value x hours
+  double signed_area = 0.0;                    ///< likewise, of `with` less `without`
   double band = 0.0;                           ///< how far from the curve without faults still counts as back
   std::optional<int> recovered{};              ///< minutes from the end of the last fault until the curve is back
   std::vector<std::optional<int>> by_fault{};  ///< of each fault, in the order of the windows
 
+  /// Of the faults, in units of the metric.
   double cost() const { return with - without; }
 };
 
 /// A metric of which costs are told: a column of steps.csv.
 struct CostedMetric {
-  std::string name;
+  std::string name;    ///< of the metric
   bool stock = false;  ///< how things stand at a step's end; else it adds up over steps
 };
 

@@ -11,16 +11,16 @@ namespace evbal {
 
 /// A day as far as it has come.
 struct DayState {
-  int ticks = 0;  ///< that are over
-  long served = 0;
-  long lost = 0;
-  std::vector<long> demand{};   ///< passengers who appeared in the last step, by region
-  std::vector<long> vacant{};   ///< vehicles, by region
-  std::vector<long> queue{};    ///< low-battery vehicles that are not charging, by region
-  std::vector<long> waiting{};  ///< passengers, by region
-  std::vector<std::string> faults{};
-  int planned_at = 0;       ///< minute of the last plan
-  Provenance provenance{};  ///< of it; without a controller before the first one
+  int ticks = 0;                      ///< that are over
+  long served = 0;                    ///< passengers so far
+  long lost = 0;                      ///< passengers so far
+  std::vector<long> demand{};         ///< passengers who appeared in the last step, by region
+  std::vector<long> vacant{};         ///< vehicles, by region
+  std::vector<long> queue{};          ///< low-battery vehicles that are not charging, by region
+  std::vector<long> waiting{};        ///< passengers, by region
+  std::vector<std::string> faults{};  ///< that are active, by name
+  int planned_at = 0;                 ///< minute of the last plan
+  Provenance provenance{};            ///< of it; without a controller before the first one
 };
 
 /// Follows a day from tick to tick.
@@ -29,8 +29,10 @@ class DayWatch {
   /// `fault_names` by position in the schedule.
   DayWatch(DayClock clock, std::vector<std::string> fault_names);
 
+  /// Takes the next tick.
   void add(const TickRecord& record);
 
+  /// After the last tick.
   const DayState& state() const { return state_; }
 
  private:

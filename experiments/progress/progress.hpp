@@ -17,6 +17,7 @@ class Progress {
   /// `fault_names` by position in the schedule.
   Progress(std::string title, DayClock clock, std::vector<std::string> fault_names, bool quiet);
 
+  /// Takes the next tick.
   void show(const TickRecord& record);
 
  private:

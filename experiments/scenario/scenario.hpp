@@ -17,30 +17,30 @@ namespace evbal {
 
 /// A scenario as read: nothing is left to chance or to defaults.
 struct Scenario {
-  std::string name;
-  World world;
+  std::string name;                      ///< of the scenario
+  World world;                           ///< city, day, clock, fleet
   PlanningSettings planning;             ///< its controller is the first of `controllers`
   std::vector<std::string> controllers;  ///< each makes a run of its own; at least one
-  Schedule schedule;
+  Schedule schedule;                     ///< of faults, drawn
   std::vector<Schedule> draws{
       Schedule{}};              ///< of the faults, as many as the schedule's `runs`; `schedule` is the first
   std::string transport;        ///< "dds" or "inproc"
   int regions_per_process = 1;  ///< regions that one evbal-agent hosts
   std::optional<NetworkConditions> network{};  ///< on the bus, below the middleware
-  std::vector<Expect> expect;
+  std::vector<Expect> expect;                  ///< what shall hold of the result
 };
 
 /// What the command line says in place of the scenario.
 struct Overrides {
-  std::optional<std::string> controller{};
-  std::optional<Command> coordinator{};
-  std::optional<std::string> day{};
-  std::optional<std::uint64_t> seed{};
+  std::optional<std::string> controller{};        ///< in place of `controllers`
+  std::optional<Command> coordinator{};           ///< in place of `coordinator`
+  std::optional<std::string> day{};               ///< in place of `day`
+  std::optional<std::uint64_t> seed{};            ///< in place of `seed`
   std::optional<std::filesystem::path> faults{};  ///< a schedule file, or the name of one that is
                                                   ///< shipped; its `expect` adds to the scenario's
-  std::optional<std::string> transport{};
-  std::optional<int> regions_per_process{};
-  std::optional<std::string> engine{};
+  std::optional<std::string> transport{};         ///< in place of `transport`
+  std::optional<int> regions_per_process{};       ///< in place of `regions_per_process`
+  std::optional<std::string> engine{};            ///< in place of `engine`
 };
 
 /// The scenario file that a command line names: a path, or the name of one that is shipped, such as toy.yaml.

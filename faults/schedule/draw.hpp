@@ -9,8 +9,8 @@ namespace evbal {
 
 /// Which of the schedules that a seed can give.
 struct DrawKey {
-  std::uint64_t seed = 0;
-  std::uint64_t run = 0;  ///< from 0
+  std::uint64_t seed = 0;  ///< of the schedule
+  std::uint64_t run = 0;   ///< from 0
 };
 
 /// Draws what a request leaves open: one fault, or one for each arrival. An arrival where an earlier one still lasts is

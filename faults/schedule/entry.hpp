@@ -10,8 +10,8 @@ namespace evbal {
 
 /// A fault and the place in the file that asked for it.
 struct PlacedFault {
-  Fault fault;
-  YamlValue where;
+  Fault fault;      ///< as drawn
+  YamlValue where;  ///< where it was asked for, for messages
 };
 
 /// Reads the key `name`: letters, digits, `-`, `_` and `.`, so that it fits everywhere.

@@ -11,12 +11,14 @@ namespace evbal {
 /// Where two faults that exclude each other meet: of a type in one region (and one field or topic), or of any types on
 /// one process. The first such region and the ticks [from, to).
 struct Overlap {
-  int region = 0;
-  int from = 0;
-  int to = 0;
+  int region = 0;  ///< where they meet
+  int from = 0;    ///< tick
+  int to = 0;      ///< tick after the last
 };
+/// Where two faults act on the same thing at the same time, if they do.
 std::optional<Overlap> overlap(const Fault& a, const Fault& b, const DayClock& clock);
 
+/// Reads the key `guard` of a schedule. Throws Error{bad_input}.
 Guard read_guard(const YamlValue& value);
 
 /// Throws Error{bad_input} at the fault that breaks a rule: a name used twice, two faults that exclude each other

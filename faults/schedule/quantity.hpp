@@ -14,8 +14,8 @@ enum class Unit {
 
 /// The values that a field may take, both ends in.
 struct Range {
-  double low = 0.0;
-  double high = 0.0;
+  double low = 0.0;   ///< least value
+  double high = 0.0;  ///< greatest value
 };
 
 /// The distributions that a schedule knows, and `fixed`: a plain value.
@@ -23,13 +23,15 @@ enum class Law { fixed, uniform, normal, lognormal, exponential };
 
 /// A scalar of a schedule: a value, or a distribution that it is drawn from.
 struct Quantity {
-  Law law = Law::fixed;
-  double centre = 0.0;  ///< value, mean or median
-  double spread = 0.0;  ///< standard deviation, or sigma of the logarithm
-  Range range;          ///< a draw beyond it is set to the nearest end
+  Law law = Law::fixed;  ///< how it is drawn
+  double centre = 0.0;   ///< value, mean or median
+  double spread = 0.0;   ///< standard deviation, or sigma of the logarithm
+  Range range;           ///< a draw beyond it is set to the nearest end
 
+  /// Whether it is still to be drawn.
   bool open() const { return law != Law::fixed; }
 
+  /// A value, within the range.
   double draw(RandomStream& stream) const;
 };
 

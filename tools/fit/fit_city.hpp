@@ -12,20 +12,20 @@ namespace evbal {
 
 /// What `turnover` made of some training days with one phi.
 struct PhiTrial {
-  double phi = 0.0;
-  int lost = 0;
-  double idle_km = 0.0;
-  double cost = 0.0;  ///< idle km, and those that a lost passenger is worth
+  double phi = 0.0;      ///< that was tried
+  int lost = 0;          ///< passengers
+  double idle_km = 0.0;  ///< driven
+  double cost = 0.0;     ///< idle km, and those that a lost passenger is worth
 };
 
 /// A city's model and how good it is.
 struct CityFit {
-  CityModel model;
-  SeriesFit demand;
-  SeriesFit completions;
-  std::vector<PhiTrial> phi;
-  int served = 0;  ///< passengers of the training days under `greedy`
-  int lost = 0;
+  CityModel model;            ///< what was estimated
+  SeriesFit demand;           ///< forecasts of r and their errors
+  SeriesFit completions;      ///< forecasts of c and their errors
+  std::vector<PhiTrial> phi;  ///< each value that was tried
+  int served = 0;             ///< passengers of the training days under `greedy`
+  int lost = 0;               ///< likewise
 };
 
 /// Estimates everything that CityModel holds from the city's training days, for `leads` steps ahead (model, sections 2,

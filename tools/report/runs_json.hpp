@@ -11,7 +11,7 @@ namespace evbal {
 
 /// A run with the same day without faults beside it, if there is one.
 struct ReportedRun : RecordedRun {
-  std::optional<RecordedRun> without_faults{};
+  std::optional<RecordedRun> without_faults{};  ///< the same day
 };
 
 /// The runs as the page reads them. With `map`, region by region too.

@@ -14,7 +14,7 @@ namespace evbal {
 
 /// A metric in an hour of the day.
 struct HourMean {
-  int hour = 0;
+  int hour = 0;         ///< of the day
   Interval interval{};  ///< by Student's t, over days
 };
 
@@ -31,9 +31,9 @@ std::vector<SweptPoint> swept_points(const std::vector<FinishedDay>& days, const
 
 /// A question, and its answer or why there is none.
 struct Answer {
-  Question question;
-  std::vector<Compared> rows{};
-  std::string refused{};
+  Question question;             ///< that was asked
+  std::vector<Compared> rows{};  ///< the answer
+  std::string refused{};         ///< why there is none; empty if there is
 };
 
 /// What is asked about each of the `references`: lost passengers, both kinds of unfairness, charger wait and idle km;

@@ -9,12 +9,13 @@ namespace evbal {
 
 /// The largest relative difference that a kind of comparison met.
 struct Comparison {
-  std::string what;
-  int cases = 0;
-  double largest = 0.0;  ///< |a - b| / max(1, |b|)
-  double allowed = 0.0;
+  std::string what;        ///< was compared
+  int cases = 0;           ///< that were compared
+  double largest = 0.0;    ///< |a - b| / max(1, |b|)
+  double allowed = 0.0;    ///< greatest difference
   std::string where = {};  ///< the case with the largest difference
 
+  /// Whether the difference is allowed.
   bool holds() const { return largest <= allowed; }
 };
 

@@ -9,12 +9,13 @@ namespace evbal {
 
 /// A day of a sweep and what it came to.
 struct FinishedDay {
-  std::string scenario{};
-  std::string variant;
-  std::string controller{};
-  std::string faults;
+  std::string scenario{};    ///< its name
+  std::string variant;       ///< its name
+  std::string controller{};  ///< its name
+  std::string faults;        ///< name of the schedule
+  /// ISO 8601.
   std::string day;
-  std::uint64_t seed = 0;
+  std::uint64_t seed = 0;                         ///< of the run
   std::map<std::string, std::string> settings{};  ///< of the variant, by path
   std::map<std::string, double> totals{};         ///< by finished_metrics()
 };

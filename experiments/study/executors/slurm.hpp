@@ -14,7 +14,7 @@ namespace evbal {
 
 /// A day as a task of its own, known by a name that no other has.
 struct SlurmTask {
-  std::string name;
+  std::string name;      ///< of the job
   std::string scenario;  ///< resolved
 };
 
@@ -24,6 +24,7 @@ using Pause = std::function<void(std::chrono::milliseconds)>;
 /// A Pause that throws Error{run_failed} if this program is asked to end.
 void pause_unless_interrupted(std::chrono::milliseconds length);
 
+/// Days as tasks of job arrays.
 struct SlurmTasks {
   std::filesystem::path folder;                             ///< of the tasks' files, made if it is missing
   int at_a_time = 0;                                        ///< 0: as many as Slurm likes

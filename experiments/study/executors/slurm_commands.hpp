@@ -11,11 +11,11 @@ namespace evbal {
 
 /// A job array to be submitted: `tasks` runs of a script, which each know their number, from 1 on.
 struct JobArray {
-  std::filesystem::path script;
+  std::filesystem::path script;  ///< that Slurm runs for each task
   std::filesystem::path folder;  ///< in which tasks run; each leaves what it prints there, in ID-NUMBER.log
-  std::size_t tasks = 0;
-  int at_a_time = 0;    ///< tasks that may run at a time; 0: as many as Slurm likes
-  std::string after{};  ///< id of an array that must end before this one begins; empty: none
+  std::size_t tasks = 0;         ///< of the array
+  int at_a_time = 0;             ///< tasks that may run at a time; 0: as many as Slurm likes
+  std::string after{};           ///< id of an array that must end before this one begins; empty: none
 };
 
 /// Submits the array and gives its id. Throws Error{run_failed} if Slurm does not take it, or does not say its id.

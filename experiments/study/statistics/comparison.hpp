@@ -19,19 +19,19 @@ struct Question {
 
 /// The answer for one setting of a variant, or for all of its settings together.
 struct Compared {
-  std::string scenario;
-  std::string faults;
-  std::string variant;
-  std::string settings{};  ///< that the variant varies, or in which it differs from the reference; empty: all together
-  int pairs = 0;           ///< (day, seed) pairs that could be compared; all below is of these
-  int outside = 0;         ///< those whose point lies outside of the reference's front
-  double at = 0.0;         ///< mean of Question::at
-  double value = 0.0;      ///< mean of the metric
-  double reference = 0.0;  ///< mean of the reference's metric, at equal cost if the question says so
-  Interval difference{};   ///< of value - reference, by t
-  bool relative = true;    ///< else the reference is 0 in some pair, and what follows is not known
-  Interval by_t{};         ///< of the relative difference, value / reference - 1, pair by pair
-  Interval by_bootstrap{};
+  std::string scenario;     ///< its name
+  std::string faults;       ///< name of the schedule
+  std::string variant;      ///< its name
+  std::string settings{};   ///< that the variant varies, or in which it differs from the reference; empty: all together
+  int pairs = 0;            ///< (day, seed) pairs that could be compared; all below is of these
+  int outside = 0;          ///< those whose point lies outside of the reference's front
+  double at = 0.0;          ///< mean of Question::at
+  double value = 0.0;       ///< mean of the metric
+  double reference = 0.0;   ///< mean of the reference's metric, at equal cost if the question says so
+  Interval difference{};    ///< of value - reference, by t
+  bool relative = true;     ///< else the reference is 0 in some pair, and what follows is not known
+  Interval by_t{};          ///< of the relative difference, value / reference - 1, pair by pair
+  Interval by_bootstrap{};  ///< of the same
   double p = 1.0;       ///< of Student's t test of the relative difference, or of the difference if that is not known
   double p_holm = 1.0;  ///< the same, adjusted for all rows that are given together
 };

@@ -9,13 +9,13 @@ namespace evbal {
 
 /// How a metric is spread over several runs; quantiles are linear between order statistics.
 struct Distribution {
-  double min = 0.0;
-  double q1 = 0.0;
-  double median = 0.0;
-  double q3 = 0.0;
-  double p90 = 0.0;
-  double max = 0.0;
-  double mean = 0.0;
+  double min = 0.0;     ///< least value
+  double q1 = 0.0;      ///< lower quartile
+  double median = 0.0;  ///< middle value
+  double q3 = 0.0;      ///< upper quartile
+  double p90 = 0.0;     ///< 90th percentile
+  double max = 0.0;     ///< greatest value
+  double mean = 0.0;    ///< arithmetic
 };
 
 /// Of one value at least.

@@ -9,15 +9,16 @@ namespace evbal {
 
 /// A number from one day with one seed.
 struct DayValue {
+  /// ISO 8601.
   std::string day;
-  double value = 0.0;
+  double value = 0.0;  ///< on that day
 };
 
 /// A mean and its 95 % interval, which is infinite where there are fewer than two days.
 struct Interval {
   double mean = 0.0;  ///< of the days' means
-  double low = 0.0;
-  double high = 0.0;
+  double low = 0.0;   ///< lower end
+  double high = 0.0;  ///< upper end
 };
 
 /// By Student's t on the days' means: right for few days if their means are about normal. `values` is not empty.

@@ -11,8 +11,10 @@
 /// What the page's tables are written with.
 namespace evbal {
 
+/// Texts in a row.
 using Words = std::vector<std::string>;
 
+/// With `digits` after the point; `sign`: with + or - before it.
 std::string number(double value, int digits, bool sign = false);
 
 /// With three digits, or whole.
@@ -21,11 +23,13 @@ std::string rounded(double value);
 /// "low .. high", both times `factor`.
 std::string range(const Interval& interval, double factor, int digits, bool sign);
 
+/// A row of a Markdown table, with its line break.
 std::string table_row(const Words& cells);
 
 /// A table's head, the first `left` columns of which are flush left.
 std::string header(const Words& cells, std::size_t left);
 
+/// Whether one of the words is `word`.
 bool contains(const Words& words, const std::string& word);
 
 /// The table of a comparison, what it shows by one rule for all, and which aims it reaches.
