@@ -5,7 +5,8 @@ namespace evbal {
 Command command_from(const std::filesystem::path& base, Command words) {
   for (std::size_t i = 0; i < words.size(); ++i) {
     const auto path = base / words[i];
-    if (i == 0 ? words[i].find('/') != std::string::npos : std::filesystem::is_regular_file(path)) {
+    std::error_code unreadable;
+    if (i == 0 ? words[i].find('/') != std::string::npos : std::filesystem::is_regular_file(path, unreadable)) {
       words[i] = std::filesystem::absolute(path).lexically_normal().string();
     }
   }

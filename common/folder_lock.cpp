@@ -1,22 +1,20 @@
 #include "common/folder_lock.hpp"
 
+#include "common/error.hpp"
+
 #include <fcntl.h>
 #include <sys/file.h>
-#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
 
 namespace evbal {
 
-FolderLock::FolderLock(const std::filesystem::path& folder)
-    : file_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-  if (file_ >= 0 && flock(file_, LOCK_EX | LOCK_NB) != 0) {
-    close(file_);
-    file_ = -1;
-  }
-}
-
-FolderLock::~FolderLock() {
-  if (file_ >= 0) {
-    close(file_);
+FolderLock::FolderLock(const std::filesystem::path& folder) : folder_(folder, O_RDONLY | O_DIRECTORY) {
+  held_ = flock(folder_.number(), LOCK_EX | LOCK_NB) == 0;
+  if (!held_ && errno != EWOULDBLOCK) {
+    throw run_failed(folder.string() + ": cannot be locked: " + std::strerror(errno) +
+                     "; give one on a local file system");
   }
 }
 

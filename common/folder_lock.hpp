@@ -1,24 +1,24 @@
 #pragma once
 
+#include "common/open_file.hpp"
+
 #include <filesystem>
 
 namespace evbal {
 
-/// A directory held by one process at a time. The kernel lets go of it when the process dies, however it does, and no
-/// file is left.
+/// A folder held by one process at a time. The kernel lets go of it when the process ends, however it does, and no file
+/// is left.
 class FolderLock {
  public:
-  /// Tries to hold the directory, which exists.
+  /// Tries to hold the folder. Throws Error{run_failed} if it cannot be opened, or if its file system has no locks.
   explicit FolderLock(const std::filesystem::path& folder);
-  ~FolderLock();
-  FolderLock(const FolderLock&) = delete;
-  FolderLock& operator=(const FolderLock&) = delete;
 
-  /// Whether it is held, and by nobody else.
-  bool held() const { return file_ >= 0; }
+  /// Whether it is held here; else another process holds it.
+  bool held() const { return held_; }
 
  private:
-  int file_ = -1;
+  OpenFile folder_;
+  bool held_ = false;
 };
 
 }  // namespace evbal

@@ -1,5 +1,7 @@
 #include "common/installation.hpp"
 
+#include "common/error.hpp"
+
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,7 +14,12 @@ namespace evbal {
 namespace fs = std::filesystem;
 
 fs::path own_folder() {
-  return fs::read_symlink("/proc/self/exe").parent_path();
+  std::error_code failed;
+  const fs::path program = fs::read_symlink("/proc/self/exe", failed);
+  if (failed) {
+    throw run_failed("/proc/self/exe: cannot be read: " + failed.message() + "; evbal needs /proc");
+  }
+  return program.parent_path();
 }
 
 fs::path find_program(const std::string& name) {
@@ -26,14 +33,16 @@ fs::path find_program(const std::string& name) {
     }
   }
   const auto found = std::ranges::find_if(candidates, [](const fs::path& candidate) {
-    return fs::is_regular_file(candidate) && access(candidate.c_str(), X_OK) == 0;
+    std::error_code unreadable;
+    return fs::is_regular_file(candidate, unreadable) && access(candidate.c_str(), X_OK) == 0;
   });
   return found == candidates.end() ? fs::path() : *found;
 }
 
 fs::path shipped_folder(const std::string& name) {
   for (fs::path folder = own_folder(); folder.has_relative_path(); folder = folder.parent_path()) {
-    if (fs::path shipped = folder / "share" / "evbal" / name; fs::is_directory(shipped)) {
+    std::error_code unreadable;
+    if (fs::path shipped = folder / "share" / "evbal" / name; fs::is_directory(shipped, unreadable)) {
       return shipped;
     }
   }

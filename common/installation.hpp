@@ -5,11 +5,11 @@
 
 namespace evbal {
 
-/// The folder of the program that is running.
+/// The folder of the program that is running. Throws Error{run_failed} where there is no /proc.
 std::filesystem::path own_folder();
 
 /// The program that a command names: a path, else one beside this program, else one in $PATH. Empty if there is none
-/// that may be executed.
+/// that may be executed; folders that cannot be read are passed over.
 std::filesystem::path find_program(const std::string& name);
 
 /// What is shipped with the programs, "cities", "faults" or "scenarios": the folder share/evbal/NAME that stands

@@ -1,6 +1,7 @@
 #include "common/run_program.hpp"
 
 #include "common/error.hpp"
+#include "common/open_file.hpp"
 #include "common/pipe.hpp"
 #include "common/spawn.hpp"
 
@@ -10,9 +11,7 @@
 #include <unistd.h>
 
 #include <array>
-#include <cerrno>
 #include <csignal>
-#include <cstring>
 
 namespace evbal {
 namespace {
@@ -48,17 +47,8 @@ class Heard {
 class Program {
  public:
   Program(const Command& command, const Pipe& output, const Pipe& errors) {
-    const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
-    if (nothing < 0) {
-      throw run_failed(std::string("/dev/null cannot be opened: ") + std::strerror(errno));
-    }
-    try {
-      id_ = spawn(command, {.input = nothing, .output = output.write_end(), .errors = errors.write_end()});
-    } catch (...) {
-      close(nothing);
-      throw;
-    }
-    close(nothing);
+    const OpenFile nothing("/dev/null", O_RDONLY);
+    id_ = spawn(command, {.input = nothing.number(), .output = output.write_end(), .errors = errors.write_end()});
   }
   ~Program() {
     if (!ended_) {

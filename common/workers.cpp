@@ -2,8 +2,8 @@
 
 #include "common/error.hpp"
 #include "common/interrupt.hpp"
+#include "common/spawn.hpp"
 
-#include <fcntl.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -15,6 +15,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <thread>
+#include <utility>
 
 namespace evbal {
 namespace {
@@ -36,14 +37,14 @@ using namespace std::chrono_literals;
 }
 
 /// What a worker, which has ended, complained of.
-std::string complaint_of(int pipe, int status) {
+std::string complaint_of(const Pipe& pipe, int status) {
   std::array<char, 4096> text{};
-  const ssize_t length = read(pipe, text.data(), text.size());
+  const ssize_t length = read(pipe.read_end(), text.data(), text.size());
   if (WIFEXITED(status) && WEXITSTATUS(status) == EXIT_SUCCESS) {
     return "";
   }
   if (WIFSIGNALED(status)) {
-    return std::string("its process was ended by signal ") + strsignal(WTERMSIG(status));
+    return "its process " + ending(status);
   }
   return length > 0 ? std::string(text.data(), static_cast<std::size_t>(length)) : "its process failed";
 }
@@ -53,27 +54,24 @@ std::string complaint_of(int pipe, int status) {
 Workers::~Workers() {
   for (const auto& worker : workers_) {
     kill(worker.id, SIGKILL);
+  }
+  for (const auto& worker : workers_) {
     waitpid(worker.id, nullptr, 0);
-    close(worker.complaint);
   }
 }
 
 void Workers::start(std::size_t job, const std::function<void(std::size_t)>& work) {
-  std::array<int, 2> ends{};
-  if (pipe2(ends.data(), O_CLOEXEC) != 0) {
-    throw run_failed(std::string("no pipe to a process: ") + std::strerror(errno));
-  }
+  auto complaint = std::make_unique<Pipe>();
   const pid_t self = getpid();
   const pid_t id = fork();
   if (id == 0) {
-    work_as_child(self, ends[1], [&] { work(job); });
+    work_as_child(self, complaint->write_end(), [&] { work(job); });
   }
-  close(ends[1]);
   if (id < 0) {
-    close(ends[0]);
     throw run_failed(std::string("no process can be started: ") + std::strerror(errno));
   }
-  workers_.push_back({job, id, ends[0]});
+  complaint->close_write_end();
+  workers_.push_back({job, id, std::move(complaint)});
 }
 
 void Workers::reap(const std::function<void(std::size_t, const std::string&)>& done) {
@@ -82,11 +80,9 @@ void Workers::reap(const std::function<void(std::size_t, const std::string&)>& d
     for (auto worker = workers_.begin(); worker != workers_.end(); ++worker) {
       int status = 0;
       if (waitpid(worker->id, &status, WNOHANG) == worker->id) {
-        const Worker ended = *worker;
+        const Worker ended = std::move(*worker);
         workers_.erase(worker);
-        const std::string complaint = complaint_of(ended.complaint, status);
-        close(ended.complaint);
-        done(ended.job, complaint);
+        done(ended.job, complaint_of(*ended.complaint, status));
         return;
       }
     }

@@ -1,9 +1,12 @@
 #pragma once
 
+#include "common/pipe.hpp"
+
 #include <sys/types.h>
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -31,7 +34,7 @@ class Workers {
   struct Worker {
     std::size_t job = 0;
     pid_t id = 0;
-    int complaint = -1;  ///< pipe, from which what went wrong can be read
+    std::unique_ptr<Pipe> complaint{};  ///< in which it says what went wrong
   };
 
   std::vector<Worker> workers_;

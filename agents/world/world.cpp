@@ -38,7 +38,8 @@ std::vector<fs::path> pack_folders() {
 
 std::optional<fs::path> shipped_pack(const std::string& name) {
   for (const auto& folder : pack_folders()) {
-    if (fs::is_directory(folder / name)) {
+    std::error_code unreadable;
+    if (fs::is_directory(folder / name, unreadable)) {
       return folder / name;
     }
   }
@@ -48,7 +49,8 @@ std::optional<fs::path> shipped_pack(const std::string& name) {
 /// The folder of a pack given by name or by path, the latter from `base`; none if there is neither.
 std::optional<fs::path> pack_folder(const std::string& given, const fs::path& base) {
   const auto shipped = given.find('/') == std::string::npos ? shipped_pack(given) : std::nullopt;
-  return shipped || !fs::is_directory(base / given) ? shipped : base / given;
+  std::error_code unreadable;
+  return shipped || !fs::is_directory(base / given, unreadable) ? shipped : base / given;
 }
 
 std::string no_pack(const std::string& given) {

@@ -1,5 +1,6 @@
 #include "experiments/run/leftovers.hpp"
 
+#include "common/error.hpp"
 #include "experiments/run/run_folder.hpp"
 
 #include <unistd.h>
@@ -61,8 +62,9 @@ std::optional<Orphan> orphan(const std::string& process) {
 }
 
 void add_processes(std::vector<Leftover>& found) {
-  for (const auto& entry : fs::directory_iterator("/proc", fs::directory_options::skip_permission_denied)) {
-    const std::string id = entry.path().filename();
+  std::error_code failed;
+  for (fs::directory_iterator entry("/proc", failed), end; !failed && entry != end; entry.increment(failed)) {
+    const std::string id = entry->path().filename();
     const bool number = id.find_first_not_of("0123456789") == std::string::npos;
     if (const auto left = number ? orphan(id) : std::nullopt) {
       found.push_back({left->program + " (process " + id + ") of run " + left->run, [id, left] {
@@ -74,24 +76,34 @@ void add_processes(std::vector<Leftover>& found) {
   }
 }
 
-void add_journals(std::vector<Leftover>& found) {
-  const fs::path runs = "runs";
-  if (!fs::is_directory(runs)) {
-    return;
+/// Removes the journals of a run that broke off and still has.
+void remove_journals(const fs::path& folder, const fs::path& run) {
+  std::error_code failed;
+  if (broke_off(run)) {
+    fs::remove_all(folder, failed);
   }
-  for (const auto& run : fs::directory_iterator(runs)) {
-    if (!run.is_directory() || !broke_off(run.path())) {
-      continue;
+  if (failed) {
+    throw run_failed(folder.string() + ": cannot be removed: " + failed.message());
+  }
+}
+
+void add_journals_of(const fs::path& run, std::vector<Leftover>& found) {
+  std::error_code failed;
+  for (fs::recursive_directory_iterator entry(run, failed), end; !failed && entry != end; entry.increment(failed)) {
+    if (entry->path().filename() == "journals" && entry->is_directory(failed)) {
+      found.push_back({entry->path().string() + ", of a run that broke off",
+                       [folder = entry->path(), run] { remove_journals(folder, run); }});
     }
-    for (const auto& entry : fs::recursive_directory_iterator(run.path())) {
-      if (entry.is_directory() && entry.path().filename() == "journals") {
-        found.push_back(
-            {entry.path().string() + ", of a run that broke off", [folder = entry.path(), run = run.path()] {
-               if (broke_off(run)) {
-                 fs::remove_all(folder);
-               }
-             }});
-      }
+  }
+}
+
+/// Folders that cannot be read are passed over: they are none of ours.
+void add_journals(std::vector<Leftover>& found) {
+  std::error_code failed;
+  for (fs::directory_iterator run("runs", failed), end; !failed && run != end; run.increment(failed)) {
+    std::error_code unreadable;
+    if (run->is_directory(unreadable) && broke_off(run->path())) {
+      add_journals_of(run->path(), found);
     }
   }
 }

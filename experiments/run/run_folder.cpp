@@ -37,30 +37,36 @@ bool is_of_run(const fs::path& file) {
   return names.contains(file.filename()) || folder == "processes" || folder == "journals";
 }
 
-/// Whether the directory has the mark of a record that is not complete, and nothing that no run writes.
+/// Whether the directory has the mark of a record that is not complete, and nothing that no run writes. Not one that
+/// cannot be read.
 bool has_broken_record(const fs::path& folder) {
   bool marked = false;
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    marked = marked || entry.path().filename() == "INCOMPLETE";
-    if (!entry.is_directory() && !is_of_run(entry.path())) {
+  std::error_code failed;
+  for (fs::recursive_directory_iterator entry(folder, failed), end; !failed && entry != end; entry.increment(failed)) {
+    marked = marked || entry->path().filename() == "INCOMPLETE";
+    const bool is_folder = entry->is_directory(failed);
+    if (!failed && !is_folder && !is_of_run(entry->path())) {
       return false;
     }
   }
-  return marked;
+  return marked && !failed;
 }
 
 }  // namespace
 
 OutFolder::OutFolder(fs::path folder) : folder_(std::move(folder)) {
   const auto refuse = [&](const std::string& why) { return bad_input("--out: " + folder_.string() + " " + why); };
+  const auto check = [&](const std::error_code& failed, const std::string& what) {
+    if (failed) {
+      throw refuse("cannot be " + what + " (" + failed.message() + "); give another one");
+    }
+  };
   std::error_code failed;
-  if (fs::exists(folder_) && !fs::is_directory(folder_)) {
+  if (fs::exists(folder_, failed) && !fs::is_directory(folder_, failed)) {
     throw refuse("is there and not an empty directory; give a new one");
   }
   fs::create_directories(folder_, failed);
-  if (failed) {
-    throw refuse("cannot be made (" + failed.message() + "); give another one");
-  }
+  check(failed, "made");
   lock_.emplace(folder_);
   for (auto waited = 0ms; !lock_->held() && waited < patience; waited += 10ms) {
     std::this_thread::sleep_for(10ms);
@@ -69,16 +75,25 @@ OutFolder::OutFolder(fs::path folder) : folder_(std::move(folder)) {
   if (!lock_->held()) {
     throw refuse("is being written by another run; give a new one");
   }
-  if (!fs::is_empty(folder_) && !has_broken_record(folder_)) {
+  const bool empty = fs::is_empty(folder_, failed);
+  check(failed, "read");
+  if (!empty && !has_broken_record(folder_)) {
     throw refuse("is there and not an empty directory; give a new one");
   }
-  for (const auto& entry : fs::directory_iterator(folder_)) {
-    fs::remove_all(entry.path());
+  for (fs::directory_iterator entry(folder_, failed), end; !failed && entry != end; entry.increment(failed)) {
+    std::error_code kept;
+    fs::remove_all(entry->path(), kept);
+    check(kept, "emptied");
   }
+  check(failed, "read");
 }
 
 bool broke_off(const fs::path& folder) {
-  return FolderLock(folder).held() && has_broken_record(folder);
+  try {
+    return FolderLock(folder).held() && has_broken_record(folder);
+  } catch (const Error&) {  // a folder that we may not look into is none of our runs
+    return false;
+  }
 }
 
 }  // namespace evbal
