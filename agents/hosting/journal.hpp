@@ -1,7 +1,10 @@
 #pragma once
 
+#include "common/open_file.hpp"
+
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace evbal {
@@ -10,11 +13,8 @@ namespace evbal {
 class Journal {
  public:
   /// Opens the file, or makes it. An entry that was being written when its process died is cut off. Throws
-  /// Error{run_failed} if the file cannot be used, or if an entry is not what was once appended.
+  /// Error{run_failed} if the file cannot be opened or read, or if an entry is not what was appended, naming its place.
   explicit Journal(std::filesystem::path file);
-  ~Journal();
-  Journal(const Journal&) = delete;
-  Journal& operator=(const Journal&) = delete;
 
   /// The entries that were there when the file was opened.
   const std::vector<std::string>& entries() const { return entries_; }
@@ -23,10 +23,11 @@ class Journal {
   void append(const std::string& entry);
 
  private:
-  void read_all();
+  std::string whole_text() const;
+  void take_entries(std::string_view text);
 
   std::filesystem::path path_;
-  int file_ = -1;
+  OpenFile file_;
   std::vector<std::string> entries_;
 };
 
