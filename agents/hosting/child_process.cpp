@@ -1,101 +1,130 @@
 #include "agents/hosting/child_process.hpp"
 
-#include "common/command.hpp"
 #include "common/error.hpp"
+#include "common/spawn.hpp"
 
-#include <sys/prctl.h>
+#include <fcntl.h>
+#include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <csignal>
-#include <cstdlib>
-#include <cstring>
+#include <string_view>
 #include <utility>
 
 namespace evbal {
 namespace {
 
-constexpr int no_program = 127;  // as shells have it
+using namespace std::chrono_literals;
 
-struct Pipe {
-  Pipe() {
-    if (pipe(ends.data()) != 0) {
-      throw run_failed(std::string("no pipe to a child process: ") + std::strerror(errno));
-    }
-  }
-  std::array<int, 2> ends{};  // to read from, to write to
-};
+// Together less than a run's processes are given to end (process.hpp).
+constexpr auto grace_after_input = 3s;
+constexpr auto grace_after_term = 1s;
 
-std::string ending(int status) {
-  if (WIFSIGNALED(status)) {
-    return "was ended by signal " + std::to_string(WTERMSIG(status)) + " (" + strsignal(WTERMSIG(status)) + ")";
-  }
-  return WEXITSTATUS(status) == no_program ? "could not be started"
-                                           : "ended with status " + std::to_string(WEXITSTATUS(status));
+/// Whether the file can be read or written without waiting, if need be after a moment.
+bool ready(int file, short events, std::chrono::milliseconds moment) {
+  pollfd asked{file, events, 0};
+  return poll(&asked, 1, static_cast<int>(moment.count())) > 0;
 }
 
 }  // namespace
 
-ChildProcess::ChildProcess(std::vector<std::string> command) : command_(std::move(command)) {
-  std::vector<char*> words;
-  words.reserve(command_.size() + 1);
-  for (auto& word : command_) {
-    words.push_back(word.data());
-  }
-  words.push_back(nullptr);
-  const Pipe there;
-  const Pipe back;
-  id_ = fork();
-  if (id_ == 0) {
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    dup2(there.ends[0], STDIN_FILENO);
-    dup2(back.ends[1], STDOUT_FILENO);
-    closefrom(STDERR_FILENO + 1);
-    execvp(words.front(), words.data());
-    _exit(no_program);
-  }
-  close(there.ends[0]);
-  close(back.ends[1]);
-  to_ = fdopen(there.ends[1], "w");
-  from_ = fdopen(back.ends[0], "r");
-  if (id_ < 0 || to_ == nullptr || from_ == nullptr) {
-    throw run_failed("no process for `" + shown(command_) + "`: " + std::strerror(errno));
-  }
+ChildProcess::ChildProcess(Command command) : command_(std::move(command)) {
   std::signal(SIGPIPE, SIG_IGN);
+  id_ = spawn(command_, {.input = to_.read_end(), .output = from_.write_end(), .errors = STDERR_FILENO});
+  to_.close_read_end();
+  from_.close_write_end();
+  fcntl(to_.write_end(), F_SETFL, O_NONBLOCK);
 }
 
 ChildProcess::~ChildProcess() {
-  std::fclose(to_);
-  std::fclose(from_);
-  if (id_ != 0) {
-    kill(id_, SIGKILL);
-    waitpid(id_, nullptr, 0);
+  end();
+}
+
+void ChildProcess::refuse_if_ending() const {
+  if (ending_) {
+    throw run_failed("`" + shown(command_) + "` is told to end");
   }
 }
 
 void ChildProcess::write(const std::string& line) {
-  std::fprintf(to_, "%s\n", line.c_str());
-  std::fflush(to_);
+  const std::string text = line + "\n";
+  std::string_view rest = text;
+  while (!rest.empty()) {
+    const std::lock_guard lock(mutex_);
+    refuse_if_ending();
+    if (ready(to_.write_end(), POLLOUT, 100ms)) {
+      const ssize_t written = ::write(to_.write_end(), rest.data(), rest.size());
+      if (written < 0) {
+        return;
+      }
+      rest.remove_prefix(static_cast<std::size_t>(written));
+    }
+  }
 }
 
 std::string ChildProcess::read(const std::string& what) {
-  char* text = nullptr;
-  std::size_t room = 0;
-  const auto size = getline(&text, &room, from_);
-  std::string line(text, size > 0 ? static_cast<std::size_t>(size) : 0);
-  std::free(text);
-  if (size <= 0) {
-    int status = 0;
-    kill(id_, SIGKILL);  // a child that has only closed its output
-    waitpid(std::exchange(id_, 0), &status, 0);
-    throw run_failed("`" + shown(command_) + "` " + ending(status) + " and owes " + what);
+  for (;;) {
+    const std::lock_guard lock(mutex_);
+    refuse_if_ending();
+    const auto end = heard_.find('\n');
+    const bool closed = end == std::string::npos && ready(from_.read_end(), POLLIN, 100ms) && !hear();
+    if (end != std::string::npos || (closed && !heard_.empty())) {
+      ++lines_read_;
+      std::string line = heard_.substr(0, end);
+      heard_.erase(0, line.size() + 1);
+      return line;
+    }
+    if (closed) {
+      throw run_failed("`" + shown(command_) + "` " + ending(kill_now()) + " and owes " + what);
+    }
   }
-  ++lines_read_;
-  if (line.ends_with('\n')) {
-    line.pop_back();
+}
+
+/// Takes what the child has said, waiting for it; false if it has closed its output.
+bool ChildProcess::hear() {
+  std::array<char, 1 << 16> part{};
+  const ssize_t length = ::read(from_.read_end(), part.data(), part.size());
+  heard_.append(part.data(), length > 0 ? static_cast<std::size_t>(length) : 0);
+  return length > 0;
+}
+
+void ChildProcess::end() {
+  ending_ = true;
+  const std::lock_guard lock(mutex_);
+  to_.close_write_end();
+  if (id_ != 0 && !ends_within(grace_after_input)) {
+    kill(-id_, SIGTERM);
+    if (!ends_within(grace_after_term)) {
+      kill_now();
+    }
   }
-  return line;
+}
+
+/// Whether the child ends in time; passes on what it says meanwhile.
+bool ChildProcess::ends_within(std::chrono::milliseconds grace) {
+  const auto deadline = std::chrono::steady_clock::now() + grace;
+  do {
+    const bool ended = waitpid(id_, nullptr, WNOHANG) == id_;
+    if (ready(from_.read_end(), POLLIN, ended ? 0ms : 10ms) && !hear()) {
+      from_.close_read_end();
+    }
+    [[maybe_unused]] const ssize_t passed_on = ::write(STDERR_FILENO, heard_.data(), heard_.size());
+    heard_.clear();
+    if (ended) {
+      id_ = 0;
+    }
+  } while (id_ != 0 && std::chrono::steady_clock::now() < deadline);
+  return id_ == 0;
+}
+
+/// Kills the child and gives the status with which it has ended.
+int ChildProcess::kill_now() {
+  int status = 0;
+  kill(-id_, SIGKILL);  // also one that has only closed its output
+  waitpid(std::exchange(id_, 0), &status, 0);
+  return status;
 }
 
 }  // namespace evbal

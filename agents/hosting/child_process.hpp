@@ -1,10 +1,14 @@
 #pragma once
 
+#include "common/command.hpp"
+#include "common/pipe.hpp"
+
 #include <sys/types.h>
 
-#include <cstdio>
+#include <atomic>
+#include <chrono>
+#include <mutex>
 #include <string>
-#include <vector>
 
 namespace evbal {
 
@@ -12,14 +16,17 @@ namespace evbal {
 /// stderr goes where ours does. Ends with this process, however this one ends.
 class ChildProcess {
  public:
-  /// `command`: program, looked for in $PATH if it has no slash, and arguments. Throws Error{run_failed} if there are
-  /// no means to start it; a program that is missing shows when it is spoken to.
-  explicit ChildProcess(std::vector<std::string> command);
+  /// `command`: program, looked for in $PATH if it has no slash, and arguments. This process ignores SIGPIPE from then
+  /// on. Throws Error{run_failed} if the program cannot be started.
+  explicit ChildProcess(Command command);
+
+  /// Ends it, as end() does.
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  /// Without the line's end. What is said to a child that has ended is lost, which read() tells.
+  /// Without the line's end. What is said to a child that has ended is lost, which read() tells. Throws
+  /// Error{run_failed} once another thread ends the child, as read() does.
   void write(const std::string& line);
 
   /// The next line, without its end. Throws Error{run_failed} if the child ends instead, naming it, how it ended and
@@ -28,11 +35,23 @@ class ChildProcess {
 
   int lines_read() const { return lines_read_; }
 
+  /// Closes the child's input and gives it 3 s to end by itself; then comes SIGTERM, and after another second SIGKILL.
+  /// What it prints meanwhile goes to our stderr. May be called while another thread reads or writes.
+  void end();
+
  private:
-  std::vector<std::string> command_;
-  pid_t id_ = 0;
-  std::FILE* to_ = nullptr;
-  std::FILE* from_ = nullptr;
+  void refuse_if_ending() const;
+  bool hear();
+  bool ends_within(std::chrono::milliseconds grace);
+  int kill_now();
+
+  Command command_;
+  Pipe to_;
+  Pipe from_;
+  std::atomic<bool> ending_ = false;
+  std::mutex mutex_;   ///< for all that follows; held for a moment at a time
+  pid_t id_ = 0;       ///< 0 once it has ended
+  std::string heard_;  ///< and not yet read
   int lines_read_ = 0;
 };
 

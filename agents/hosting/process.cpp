@@ -11,10 +11,15 @@
 #include <csignal>
 #include <cstdlib>
 #include <iostream>
+#include <mutex>
 #include <thread>
+#include <utility>
 
 namespace evbal {
 namespace {
+
+std::mutex farewell_mutex;
+std::function<void()> farewell;
 
 /// Ends this process with its conductor, at any moment: what must last is written before it is said.
 void end_with_conductor() {
@@ -22,6 +27,10 @@ void end_with_conductor() {
   std::thread([] {
     std::array<char, 64> ignored{};
     while (read(STDIN_FILENO, ignored.data(), ignored.size()) > 0) {
+    }
+    const std::lock_guard lock(farewell_mutex);
+    if (farewell) {
+      farewell();
     }
     _exit(EXIT_SUCCESS);
   }).detach();
@@ -36,6 +45,10 @@ void add_options(CLI::App& app, ProcessOptions& options) {
   app.add_flag("--apart", options.address.apart, "Each agent is on a host of its own");
   app.add_option("--scenario", options.scenario, "The run's scenario.resolved.yaml")->required();
   app.add_option("--journal", options.journal, "What the process must know if it is started again")->required();
+  app.add_option_function<int>(
+         "--patience", [&](int seconds) { options.patience = std::chrono::seconds(seconds); },
+         "Longest wait for what another process says, in seconds")
+      ->required();
   app.add_option("--first-region", options.first_region, "First of the regions that an agent hosts");
   app.add_option("--last-region", options.last_region, "Last of them");
 }
@@ -50,6 +63,7 @@ std::vector<std::string> arguments(const ProcessOptions& options) {
                                     "--participants", std::to_string(options.address.participants),
                                     "--scenario",     options.scenario.string(),
                                     "--journal",      options.journal.string(),
+                                    "--patience",     std::to_string(options.patience.count()),
                                     "--first-region", std::to_string(options.first_region),
                                     "--last-region",  std::to_string(options.last_region)};
   if (options.address.apart) {
@@ -79,6 +93,16 @@ int run_process(int argc, char** argv, const std::string& description,
     std::cerr << error.what() << '\n';
     return static_cast<int>(ExitStatus::run_failed);
   }
+}
+
+Farewell::Farewell(std::function<void()> say) {
+  const std::lock_guard lock(farewell_mutex);
+  farewell = std::move(say);
+}
+
+Farewell::~Farewell() {
+  const std::lock_guard lock(farewell_mutex);  // waits for one that is being said, after which the process ends
+  farewell = nullptr;
 }
 
 }  // namespace evbal

@@ -2,6 +2,7 @@
 
 #include "agents/bus/participant.hpp"
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -13,9 +14,10 @@ namespace evbal {
 struct ProcessOptions {
   std::string name;  ///< "agent-0", "coordinator", "faults"
   BusAddress address;
-  std::filesystem::path scenario;  ///< the run's scenario.resolved.yaml
-  std::filesystem::path journal;   ///< what the process knows if it is started again (common/journal.hpp)
-  int first_region = 0;            ///< of an agent, which hosts first_region..last_region
+  std::filesystem::path scenario;   ///< the run's scenario.resolved.yaml
+  std::filesystem::path journal;    ///< what the process knows if it is started again (journal.hpp)
+  std::chrono::seconds patience{};  ///< longest wait for anything that another process says
+  int first_region = 0;             ///< of an agent, which hosts first_region..last_region
   int last_region = 0;
 };
 
@@ -27,5 +29,19 @@ std::vector<std::string> arguments(const ProcessOptions& options);
 /// with the conductor, or when `body` returns.
 int run_process(int argc, char** argv, const std::string& description,
                 const std::function<void(const ProcessOptions&, Participant&)>& body);
+
+/// What this process does before it ends because its standard input has ended, as long as the object lives. It is done
+/// in another thread than main's, which goes on meanwhile. The conductor kills whoever takes more than
+/// `time_for_farewell`. One at a time.
+class Farewell {
+ public:
+  explicit Farewell(std::function<void()> say);
+  ~Farewell();
+  Farewell(const Farewell&) = delete;
+  Farewell& operator=(const Farewell&) = delete;
+};
+
+/// How long the processes of a run may take, all together, to end once their standard input has ended.
+constexpr std::chrono::seconds time_for_farewell{5};
 
 }  // namespace evbal

@@ -3,11 +3,15 @@
 #include "agents/hosting/journal.hpp"
 #include "agents/hosting/journal_entries.hpp"
 #include "agents/protocol/origin.hpp"
+#include "common/error.hpp"
 
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <map>
+#include <optional>
+#include <set>
 #include <thread>
 
 namespace evbal {
@@ -15,8 +19,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto nap = 1000ms;  // between looks at the clock while nothing comes
-constexpr auto glance = 2ms;  // between looks at who is connected
+constexpr std::chrono::milliseconds nap = 1s;  // between looks at the clock while nothing comes
+constexpr auto glance = 50ms;                  // between looks at who is connected: hundreds of processes look at once
 
 bool attended(const Tick& tick) {
   return !tick.unattended;
@@ -80,51 +84,91 @@ Answers live_again(const std::vector<HostedRegion>& regions, const AgentEntry& t
   return said;
 }
 
-template <class Connected>
-void say_hello(Participant& participant, const std::string& name, Connected connected) {
-  Writer<Hello> hello(participant);
-  while (hello.readers() == 0 || !connected()) {
-    std::this_thread::sleep_for(glance);
+/// Waits until `come`, by naps of at most `nap`, and tells whether it did within `patience`. A process that stood still
+/// meanwhile has waited no longer for that.
+bool comes(std::chrono::seconds patience, const std::function<bool()>& come, const std::function<void()>& sleep) {
+  std::chrono::steady_clock::duration waited{};
+  while (!come()) {
+    if (waited >= patience) {
+      return false;
+    }
+    const auto before = std::chrono::steady_clock::now();
+    sleep();
+    waited += std::min<std::chrono::steady_clock::duration>(std::chrono::steady_clock::now() - before, nap);
   }
-  hello.write({.name = name, .process_id = getpid()});
+  return true;
+}
+
+Error none(const std::string& what, std::chrono::seconds patience) {
+  return run_failed("no " + what + " within " + std::to_string(patience.count()) + " s");
+}
+
+template <class Connected>
+void say_hello(Participant& participant, const ProcessOptions& options, Connected connected) {
+  Writer<Hello> hello(participant);
+  const auto all_connected = [&] { return hello.readers() > 0 && connected(); };
+  if (!comes(options.patience, all_connected, [] { std::this_thread::sleep_for(glance); })) {
+    throw none("conductor on the bus", options.patience);
+  }
+  hello.write({.name = options.name, .process_id = getpid()});
 }
 
 /// Waits for the newest tick after `last` that `concerns` the process.
 template <class Concerns>
-Tick next_tick(Reader<Tick>& ticks, int last, Concerns concerns) {
-  for (;;) {
-    auto come = ticks.take();
-    if (!come.empty() && come.back().message.tick > last && concerns(come.back().message)) {
-      return std::move(come.back().message);
+Tick next_tick(Reader<Tick>& ticks, int last, std::chrono::seconds patience, Concerns concerns) {
+  std::optional<Tick> next;
+  const auto come = [&] {
+    auto heard = ticks.take();
+    if (!heard.empty() && heard.back().message.tick > last && concerns(heard.back().message)) {
+      next = std::move(heard.back().message);
     }
-    ticks.wait(nap);
+    return next.has_value();
+  };
+  if (!comes(patience, come, [&] { ticks.wait(nap); })) {
+    throw none("tick after " + std::to_string(last) + " from the conductor", patience);
   }
+  return std::move(*next);
 }
 
-Plan plan_of(Reader<Plan>& plans, int tick) {
-  for (;;) {
-    auto come = plans.take();
-    if (!come.empty() && come.back().message.tick == tick) {
-      return std::move(come.back().message);
+Plan plan_of(Reader<Plan>& plans, int tick, std::chrono::seconds patience) {
+  std::optional<Plan> plan;
+  const auto come = [&] {
+    auto heard = plans.take();
+    if (!heard.empty() && heard.back().message.tick == tick) {
+      plan = std::move(heard.back().message);
     }
-    plans.wait(nap);
+    return plan.has_value();
+  };
+  if (!comes(patience, come, [&] { plans.wait(nap); })) {
+    throw none("plan of tick " + std::to_string(tick) + " from the coordinator", patience);
   }
+  return std::move(*plan);
 }
 
-std::vector<Report> reports_of(Reader<std::vector<Report>>& reader, const Tick& tick) {
+/// The regions, in words: "region 3 and 17 more".
+std::string some_of(const std::set<int>& regions) {
+  const std::string more = regions.size() > 1 ? " and " + std::to_string(regions.size() - 1) + " more" : "";
+  return "region " + std::to_string(*regions.begin()) + more;
+}
+
+std::vector<Report> reports_of(Reader<std::vector<Report>>& reader, const Tick& tick, std::chrono::seconds patience) {
   std::map<int, Report> found;
-  const auto missing = [&](int region) { return !found.contains(region) && !contains(tick.unheard, region); };
-  while (std::any_of(tick.due.begin(), tick.due.end(), missing)) {
+  std::set<int> missing(tick.due.begin(), tick.due.end());
+  for (const int region : tick.unheard) {
+    missing.erase(region);
+  }
+  const auto come = [&] {
     for (auto& batch : reader.take()) {
       for (auto& report : batch.message) {
-        if (report.tick == tick.tick && missing(report.region)) {
+        if (report.tick == tick.tick && missing.erase(report.region) > 0) {
           found.emplace(report.region, std::move(report));
         }
       }
     }
-    if (std::any_of(tick.due.begin(), tick.due.end(), missing)) {
-      reader.wait(nap);
-    }
+    return missing.empty();
+  };
+  if (!comes(patience, come, [&] { reader.wait(nap); })) {
+    throw none("report of tick " + std::to_string(tick.tick) + " from " + some_of(missing), patience);
   }
   std::vector<Report> reports;
   reports.reserve(found.size());
@@ -149,7 +193,7 @@ void serve_agent(Participant& participant, const ProcessOptions& options, const 
   Reader<Plan> plans(participant);
   Writer<std::vector<Report>> report_writer(participant);
   Writer<std::vector<Departures>> departure_writer(participant);
-  say_hello(participant, options.name,
+  say_hello(participant, options,
             [&] { return ticks.writers() > 0 && report_writer.readers() > 0 && departure_writer.readers() > 0; });
   if (last >= 0) {
     if (!said.reports.empty()) {
@@ -160,7 +204,8 @@ void serve_agent(Participant& participant, const ProcessOptions& options, const 
   const int first = options.first_region;
   const auto due = [&](const Tick& tick) { return contains(tick.due, first); };
   for (;;) {
-    AgentEntry told{.tick = for_regions(next_tick(ticks, last, due), first, options.last_region), .plan = {}};
+    AgentEntry told{.tick = for_regions(next_tick(ticks, last, options.patience, due), first, options.last_region),
+                    .plan = {}};
     last = told.tick.tick;
     begin(regions, told.tick);
     if (told.tick.plan_due) {
@@ -170,7 +215,7 @@ void serve_agent(Participant& participant, const ProcessOptions& options, const 
       }
     }
     if (waits_for_plan(told.tick, first, options.last_region)) {
-      told.plan.push_back(for_regions(plan_of(plans, last), first, options.last_region));
+      told.plan.push_back(for_regions(plan_of(plans, last, options.patience), first, options.last_region));
     }
     journal.append(to_bytes(told));
     departure_writer.write(ask_departures(regions, told));
@@ -188,14 +233,14 @@ void serve_coordinator(Participant& participant, const ProcessOptions& options, 
   Reader<Tick> ticks(participant);
   Reader<std::vector<Report>> reports(participant);
   Writer<Plan> plans(participant);
-  say_hello(participant, options.name, [&] { return ticks.writers() > 0 && plans.readers() > 0; });
+  say_hello(participant, options, [&] { return ticks.writers() > 0 && plans.readers() > 0; });
   if (last.tick.tick >= 0) {
     plans.write(last.plan);
   }
   for (;;) {
-    last.tick = next_tick(ticks, last.tick.tick, attended);
+    last.tick = next_tick(ticks, last.tick.tick, options.patience, attended);
     if (last.tick.plan_due) {
-      last.reports = reports_of(reports, last.tick);
+      last.reports = reports_of(reports, last.tick, options.patience);
       last.plan = with_origin([&] { return planner.plan(last.tick, last.reports); });
       last.memory = planner.memory();
       journal.append(to_bytes(last));
@@ -208,8 +253,8 @@ void serve_injector(Participant& participant, const ProcessOptions& options,
                     const std::function<Faults(int tick)>& faults_of) {
   Reader<Tick> ticks(participant);
   Writer<Faults> writer(participant);
-  say_hello(participant, options.name, [&] { return ticks.writers() > 0 && writer.readers() > 0; });
-  for (int tick = -1;; tick = next_tick(ticks, tick, attended).tick) {
+  say_hello(participant, options, [&] { return ticks.writers() > 0 && writer.readers() > 0; });
+  for (int tick = -1;; tick = next_tick(ticks, tick, options.patience, attended).tick) {
     writer.write(with_origin([&] { return faults_of(tick + 1); }));
   }
 }

@@ -13,6 +13,9 @@
 /// A process may be killed at any moment and started again. Agents and coordinator journal what they were told before
 /// they say what follows from it. One that starts with entries in its journal goes through them once more, repeats its
 /// last words, which may not have been heard, and takes its place again. The injector has nothing to remember.
+///
+/// Each loop throws Error{run_failed}, naming whom it waited for, if that one says nothing within the options'
+/// patience.
 namespace evbal {
 
 /// A region that an agent hosts. Per tick `begin`, then `report` if a plan is due, then `live`. The same calls give

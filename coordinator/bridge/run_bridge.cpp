@@ -33,6 +33,7 @@ void bridge(const Command& command, const ProcessOptions& options, Participant& 
   const std::string controller = read_planning(scenario).controller;
   check_name(controller);
   ChildProcess child(command);
+  const Farewell farewell([&child] { child.end(); });
   child.write(opening_line(world, controller));
   const auto plan = [&](const Tick& tick, const std::vector<Report>& reports) {
     child.write(question_line(tick.tick, reports));

@@ -19,6 +19,10 @@ using Clock = std::chrono::steady_clock;
 
 constexpr auto glance = 20ms;  // between looks at the processes while nothing comes
 
+// A process waits that many times longer than the conductor, who waits for the others one after another and can say
+// who is missing.
+constexpr int processes_patience = 10;
+
 int agents(const DdsRun& run) {
   return (run.regions + run.regions_per_process - 1) / run.regions_per_process;
 }
@@ -147,13 +151,20 @@ DdsPlayers::DdsPlayers(const DdsRun& run)
 DdsPlayers::~DdsPlayers() = default;
 
 void DdsPlayers::start_processes(BusAddress address) {
+  const auto deadline = Clock::now() + run_.patience;
   const auto start = [&](const std::string& name, const std::vector<std::string>& command, int first_region,
                          int last_region) {
+    check_interrupt();
+    if (Clock::now() > deadline) {
+      throw run_failed(name + " could not be started within " + std::to_string(run_.patience.count()) + " s, after " +
+                       std::to_string(absent_.size()) + " others");
+    }
     std::vector<std::string> words(command.begin() + 1, command.end());
     const auto told = arguments({.name = name,
                                  .address = address,
                                  .scenario = run_.folder / "scenario.resolved.yaml",
                                  .journal = journals_.path() / name,
+                                 .patience = processes_patience * run_.patience,
                                  .first_region = first_region,
                                  .last_region = last_region});
     words.insert(words.end(), told.begin(), told.end());

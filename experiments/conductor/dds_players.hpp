@@ -27,7 +27,7 @@ struct DdsRun {
   int regions_per_process = 1;
   std::filesystem::path programs = own_folder();  ///< where evbal-agent, evbal-coordinator and evbal-faults are
   std::vector<std::string> coordinator{};         ///< program and first words in place of evbal-coordinator's
-  std::chrono::seconds patience{120};             ///< longest wait for anything
+  std::chrono::seconds patience{120};             ///< longest wait for anything, the processes' start included
   std::optional<NetworkConditions> network{};     ///< between each agent and the others
   std::uint64_t seed = 0;                         ///< of what it loses
 };
@@ -47,8 +47,8 @@ class EmptyFolder {
 };
 
 /// The others as processes on the bus: starts them, waits until all are there, and ends them when destroyed. One that
-/// a signal ends meanwhile is started again and waited for. What strangers say on the bus is refused and counted as
-/// an incident. Made before anything else of this process touches DDS.
+/// a signal from outside ends meanwhile is started again and waited for. What strangers say on the bus is refused and
+/// counted as an incident. Made before anything else of this process touches DDS.
 class DdsPlayers : public Players {
  public:
   /// Throws Error{run_failed} naming who did not come.
@@ -88,14 +88,14 @@ class DdsPlayers : public Players {
   DomainLock domain_;
   EmptyFolder journals_;
   std::optional<LossyNetwork> network_;
-  Supervisor supervisor_;
+  std::optional<Participant> participant_;
+  std::unique_ptr<Topics> topics_;
+  Supervisor supervisor_;         ///< ends the processes before we leave the bus, which takes long among hundreds
   std::set<std::string> absent_;  ///< from whom no hello has come since the start, or since its death
   std::map<std::string, std::chrono::steady_clock::time_point> deaths_;  ///< when one of the absent died
   std::vector<Incident> incidents_;
   Absences away_;
   int newest_ = -1;  ///< tick that was announced
-  std::optional<Participant> participant_;
-  std::unique_ptr<Topics> topics_;
   double ready_seconds_ = 0.0;
 };
 

@@ -8,6 +8,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <string>
 
 namespace evbal {
@@ -16,7 +18,8 @@ namespace {
 constexpr int first_domain = 10;           // the low ones belong to others on this host
 constexpr int first_foreign_port = 32768;  // from here on the kernel gives ports to anybody
 
-/// A socket bound to an abstract name is a lock among all that share this host's ports. -1 if somebody has it.
+/// A socket bound to an abstract name is a lock among all that share this host's ports. -1 if somebody has it. Throws
+/// Error{run_failed} if there can be none.
 int lock(int domain) {
   const std::string name = "evbal-domain-" + std::to_string(domain);
   sockaddr_un address{};
@@ -24,11 +27,15 @@ int lock(int domain) {
   std::copy(name.begin(), name.end(), address.sun_path + 1);  // behind a zero byte: no file
   const int file = socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
   const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + name.size());
-  if (file >= 0 && bind(file, reinterpret_cast<const sockaddr*>(&address), size) != 0) {
+  const bool bound = file >= 0 && bind(file, reinterpret_cast<const sockaddr*>(&address), size) == 0;
+  const int error = errno;
+  if (!bound && file >= 0) {
     close(file);
-    return -1;
   }
-  return file;
+  if (!bound && error != EADDRINUSE) {
+    throw run_failed(std::string("no DDS domain can be locked: ") + std::strerror(error));
+  }
+  return bound ? file : -1;
 }
 
 void release(std::vector<int>& sockets) {
@@ -38,22 +45,32 @@ void release(std::vector<int>& sockets) {
   sockets.clear();
 }
 
+/// Locks `count` domains from `first` on; false if one is taken, with those before it in `sockets`.
+bool lock_all(int first, int count, std::vector<int>& sockets) {
+  for (int i = 0; i < count; ++i) {
+    const int file = lock(first + i);
+    if (file < 0) {
+      return false;
+    }
+    sockets.push_back(file);
+  }
+  return true;
+}
+
 }  // namespace
 
 DomainLock::DomainLock(int participants) {
   const int block = 1 + (discovery_port(0, participants) - discovery_port(0, 0)) / 250;
-  for (domain_ = first_domain; discovery_port(domain_ + block, 0) < first_foreign_port; ++domain_) {
-    for (int i = 0; i < block; ++i) {
-      const int file = lock(domain_ + i);
-      if (file < 0) {
-        break;
+  try {
+    for (domain_ = first_domain; discovery_port(domain_ + block, 0) < first_foreign_port; ++domain_) {
+      if (lock_all(domain_, block, sockets_)) {
+        return;
       }
-      sockets_.push_back(file);
+      release(sockets_);
     }
-    if (static_cast<int>(sockets_.size()) == block) {
-      return;
-    }
+  } catch (...) {
     release(sockets_);
+    throw;
   }
   throw run_failed("no free DDS domain for " + std::to_string(participants) +
                    " processes; wait for other runs on this host to end");

@@ -9,7 +9,7 @@ namespace evbal {
 /// file is left.
 class DomainLock {
  public:
-  /// Throws Error{run_failed} if no domain is free.
+  /// Throws Error{run_failed} if no domain is free, or if the system lets none be locked.
   explicit DomainLock(int participants);
   ~DomainLock();
   DomainLock(const DomainLock&) = delete;

@@ -1,18 +1,18 @@
 #include "experiments/conductor/supervisor.hpp"
 
+#include "agents/hosting/process.hpp"
 #include "common/contract.hpp"
 #include "common/error.hpp"
+#include "common/open_file.hpp"
+#include "common/spawn.hpp"
 #include "experiments/conductor/lossy_network.hpp"
 
 #include <fcntl.h>
-#include <spawn.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
+#include <chrono>
 #include <csignal>
-#include <cstring>
 #include <fstream>
 #include <thread>
 #include <utility>
@@ -24,14 +24,6 @@ using namespace std::chrono_literals;
 
 constexpr int most_deaths = 5;  // of one process without progress of the run
 
-std::string ending(int status) {
-  if (WIFSIGNALED(status)) {
-    const int signal = WTERMSIG(status);
-    return "was ended by signal " + std::to_string(signal) + " (" + strsignal(signal) + ")";
-  }
-  return "ended with status " + std::to_string(WEXITSTATUS(status));
-}
-
 /// The process of that name, which exists.
 auto& named(auto& processes, const std::string& name) {
   const auto found = std::find_if(processes.begin(), processes.end(), [&](const auto& p) { return p.name == name; });
@@ -39,79 +31,60 @@ auto& named(auto& processes, const std::string& name) {
   return *found;
 }
 
-/// How posix_spawn sets a process up: its own process group (Ctrl-C is the launcher's), the pipe as standard input,
-/// output to the log, nothing else open, default signals.
-class SpawnSetup {
- public:
-  SpawnSetup(int pipe, const std::filesystem::path& log) {
-    posix_spawn_file_actions_init(&files_);
-    posix_spawn_file_actions_adddup2(&files_, pipe, STDIN_FILENO);
-    posix_spawn_file_actions_addopen(&files_, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0644);
-    posix_spawn_file_actions_adddup2(&files_, STDOUT_FILENO, STDERR_FILENO);
-    posix_spawn_file_actions_addclosefrom_np(&files_, STDERR_FILENO + 1);
-    posix_spawnattr_init(&attributes_);
-    posix_spawnattr_setpgroup(&attributes_, 0);
-    sigset_t signals;
-    sigemptyset(&signals);
-    posix_spawnattr_setsigmask(&attributes_, &signals);
-    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
-  }
-  ~SpawnSetup() {
-    posix_spawn_file_actions_destroy(&files_);
-    posix_spawnattr_destroy(&attributes_);
-  }
-  SpawnSetup(const SpawnSetup&) = delete;
-  SpawnSetup& operator=(const SpawnSetup&) = delete;
-
-  const posix_spawn_file_actions_t* files() const { return &files_; }
-  const posix_spawnattr_t* attributes() const { return &attributes_; }
-
- private:
-  posix_spawn_file_actions_t files_{};
-  posix_spawnattr_t attributes_{};
-};
-
 }  // namespace
 
 Supervisor::Supervisor(std::filesystem::path log_folder) : log_folder_(std::move(log_folder)) {
   std::filesystem::create_directories(log_folder_);
-  std::array<int, 2> ends{};
-  if (pipe2(ends.data(), O_CLOEXEC) != 0) {
-    throw run_failed(std::string("no pipe to the run's processes: ") + std::strerror(errno));
-  }
-  pipe_read_ = ends[0];
-  pipe_write_ = ends[1];
 }
 
 Supervisor::~Supervisor() {
-  close(pipe_write_);
-  end(2s);
-  close(pipe_read_);
+  pipe_.close_write_end();
+  for (const auto& process : processes_) {
+    if (process.id != 0) {
+      ::kill(process.id, SIGCONT);  // who stands still cannot see the pipe close
+    }
+  }
+  const auto deadline = std::chrono::steady_clock::now() + time_for_farewell;
+  for (reap_ended(); any_left() && std::chrono::steady_clock::now() < deadline; reap_ended()) {
+    std::this_thread::sleep_for(5ms);
+  }
+  for (const auto& process : processes_) {
+    if (process.id != 0) {
+      ::kill(process.id, SIGKILL);
+    }
+  }
+  for (const auto& process : processes_) {
+    if (process.id != 0) {
+      waitpid(process.id, nullptr, 0);
+    }
+  }
+}
+
+void Supervisor::reap_ended() {
+  for (auto& process : processes_) {
+    if (process.id != 0 && waitpid(process.id, nullptr, WNOHANG) == process.id) {
+      process.id = 0;
+    }
+  }
+}
+
+bool Supervisor::any_left() const {
+  return std::ranges::any_of(processes_, [](const Process& process) { return process.id != 0; });
 }
 
 void Supervisor::start(const std::string& name, const std::filesystem::path& program,
                        const std::vector<std::string>& arguments, int network) {
-  Process process{.name = name, .words = {program.string()}, .network = network};
-  process.words.insert(process.words.end(), arguments.begin(), arguments.end());
+  Process process{.name = name, .command = {program.string()}, .network = network};
+  process.command.insert(process.command.end(), arguments.begin(), arguments.end());
   spawn(process);
   processes_.push_back(std::move(process));
 }
 
 void Supervisor::spawn(Process& process) {
-  std::vector<char*> pointers;
-  pointers.reserve(process.words.size() + 1);
-  for (auto& word : process.words) {
-    pointers.push_back(word.data());
-  }
-  pointers.push_back(nullptr);
-  const SpawnSetup setup(pipe_read_, log_folder_ / (process.name + ".log"));
+  const OpenFile log(log_folder_ / (process.name + ".log"), O_WRONLY | O_CREAT | O_APPEND);
   const InNamespace network(process.network);
-  const int error =
-      posix_spawn(&process.id, pointers.front(), setup.files(), setup.attributes(), pointers.data(), environ);
-  if (error != 0) {
-    process.id = 0;
-    throw run_failed("cannot start " + process.words.front() + ": " + std::strerror(error));
-  }
+  process.id =
+      evbal::spawn(process.command, {.input = pipe_.read_end(), .output = log.number(), .errors = log.number()});
 }
 
 std::vector<Death> Supervisor::revive() {
@@ -122,7 +95,7 @@ std::vector<Death> Supervisor::revive() {
       continue;
     }
     const std::string how = "process " + std::to_string(std::exchange(process.id, 0)) + " " + ending(status);
-    if (!WIFSIGNALED(status)) {
+    if (!ended_from_outside(status)) {
       throw run_failed(process.name + ": " + how + last_words(process.name));
     }
     if (++process.deaths > most_deaths) {
@@ -167,24 +140,6 @@ pid_t Supervisor::process_id(const std::string& name) const {
 
 Supervisor::Process& Supervisor::find(const std::string& name) {
   return named(processes_, name);
-}
-
-void Supervisor::end(std::chrono::milliseconds grace) {
-  const auto deadline = std::chrono::steady_clock::now() + grace;
-  for (auto& process : processes_) {
-    if (process.id != 0) {
-      ::kill(process.id, SIGCONT);  // who stands still cannot see the pipe close
-    }
-    while (process.id != 0 && waitpid(process.id, nullptr, WNOHANG) == 0) {
-      if (std::chrono::steady_clock::now() > deadline) {
-        ::kill(process.id, SIGKILL);
-        waitpid(process.id, nullptr, 0);
-        break;
-      }
-      std::this_thread::sleep_for(1ms);
-    }
-    process.id = 0;
-  }
 }
 
 std::string Supervisor::last_words(const std::string& name) const {

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "common/command.hpp"
+#include "common/pipe.hpp"
+
 #include <sys/types.h>
 
-#include <chrono>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -16,7 +18,8 @@ struct Death {
 };
 
 /// The processes of a run. Each one's standard input is a pipe that this object holds open and whose end is theirs to
-/// watch; what they print goes to `NAME.log`. Ends and reaps all of them, and nobody else, when destroyed.
+/// watch; what they print goes to `NAME.log`. When destroyed it closes the pipe, gives all of them together
+/// `time_for_farewell` (agents/hosting/process.hpp) to end, and kills those that are left.
 class Supervisor {
  public:
   explicit Supervisor(std::filesystem::path log_folder);
@@ -28,8 +31,9 @@ class Supervisor {
   void start(const std::string& name, const std::filesystem::path& program, const std::vector<std::string>& arguments,
              int network = -1);
 
-  /// Starts again the processes that a signal has ended, and says which. Throws Error{run_failed}, with its name, how
-  /// it ended and its last words, if one ended by itself, or has ended too often since the last progress().
+  /// Starts again the processes that a signal from outside has ended, and says which. Throws Error{run_failed}, with
+  /// its name, how it ended and its last words, if one ended by itself, crashed, or has ended too often since the last
+  /// progress().
   std::vector<Death> revive();
 
   /// Kills a process, which stays away until start_again(), or makes it stand still until go_on().
@@ -47,21 +51,20 @@ class Supervisor {
  private:
   struct Process {
     std::string name;
-    std::vector<std::string> words;  ///< program and arguments
-    int network = -1;                ///< namespace, as a file
-    pid_t id = 0;                    ///< 0 once reaped
-    int deaths = 0;                  ///< since the last progress
+    Command command;   ///< program and arguments
+    int network = -1;  ///< namespace, as a file
+    pid_t id = 0;      ///< 0 once reaped
+    int deaths = 0;    ///< since the last progress
   };
 
   void spawn(Process& process);
   Process& find(const std::string& name);
-
-  void end(std::chrono::milliseconds grace);
+  void reap_ended();
+  bool any_left() const;
   std::string last_words(const std::string& name) const;
 
   std::filesystem::path log_folder_;
-  int pipe_read_ = -1;
-  int pipe_write_ = -1;
+  Pipe pipe_;
   std::vector<Process> processes_;
 };
 

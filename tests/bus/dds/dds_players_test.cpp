@@ -145,6 +145,23 @@ TEST_F(DdsPlayersTest, ShowsTheLastWordsOfAProcessThatFails) {
   EXPECT_NE(message.find("status 7: oh no"), std::string::npos) << message;
 }
 
+TEST_F(DdsPlayersTest, DoesNotStartAgainAProcessThatAborts) {
+  for (const char* signal : {"ABRT", "SEGV", "FPE"}) {
+    Supervisor supervisor(folder_.path());
+    supervisor.start("sad", "/bin/sh", {"-c", std::string("echo no memory >&2; kill -") + signal + " $$"});
+    const std::string message = complaint([&] {
+      for (int i = 0; i < 2000; ++i) {
+        EXPECT_TRUE(supervisor.revive().empty()) << signal;
+        std::this_thread::sleep_for(5ms);
+      }
+    });
+    EXPECT_NE(message.find("sad: process"), std::string::npos) << message;
+    EXPECT_NE(message.find("was ended by signal"), std::string::npos) << message;
+    EXPECT_NE(message.find(": no memory"), std::string::npos) << message;
+    EXPECT_EQ(message.find("in a row"), std::string::npos) << message;
+  }
+}
+
 std::set<std::string> shared_memory() {
   std::set<std::string> names;
   for (const auto& entry : fs::directory_iterator("/dev/shm")) {
@@ -173,15 +190,16 @@ bool comes_true(const std::function<bool()>& condition) {
   return condition();
 }
 
-/// A run of five regions in a launcher of its own.
+/// A run of so many regions in a launcher of its own.
 class Launcher {
  public:
-  Launcher(const fs::path& folder, int ticks) {
+  Launcher(const fs::path& folder, int ticks, int regions = 5) {
     const std::string program = own_folder() / "evbal-fake-run";
     const std::string count = std::to_string(ticks);
+    const std::string agents = std::to_string(regions);
     id_ = fork();
     if (id_ == 0) {
-      execl(program.c_str(), program.c_str(), folder.c_str(), "5", "1", count.c_str(), nullptr);
+      execl(program.c_str(), program.c_str(), folder.c_str(), agents.c_str(), "1", count.c_str(), nullptr);
       _exit(99);
     }
   }
@@ -240,6 +258,17 @@ void end_launcher_by(int signal, const fs::path& folder) {
 
 TEST_F(DdsPlayersTest, InterruptedLauncherLeavesNothing) {
   end_launcher_by(SIGINT, folder_.path());
+}
+
+TEST_F(DdsPlayersTest, LauncherEndsWhileItStartsProcesses) {
+  const int regions = 300;
+  Launcher launcher(folder_.path(), 1, regions);
+  ASSERT_TRUE(comes_true([&] { return processes_with(folder_.path()) >= 3; }));
+  launcher.end_by(SIGTERM);
+  EXPECT_EQ(launcher.exit_status(), 3);
+  EXPECT_EQ(processes_with(folder_.path()), 0);
+  const fs::directory_iterator logs(folder_.path() / "processes");
+  EXPECT_LT(std::distance(fs::begin(logs), fs::end(logs)), regions) << "not all were started";
 }
 
 TEST_F(DdsPlayersTest, KilledLauncherLeavesNothing) {

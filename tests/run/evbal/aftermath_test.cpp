@@ -63,6 +63,24 @@ TEST(Aftermath, OfAKilledLauncherIsInNobodysWay) {
   EXPECT_EQ(line.evbal("doctor").out.find(journals), std::string::npos);
 }
 
+TEST(Aftermath, IsLookedForBesideFoldersThatCannotBeRead) {
+  const CommandLine line;
+  fs::create_directories(line.path() / "runs");
+  fs::create_symlink("loop", line.path() / "runs" / "loop");
+  const Ended doctor = line.evbal("doctor");
+  EXPECT_EQ(doctor.err.find("rror"), std::string::npos) << doctor.err;
+  EXPECT_NE(doctor.out.find("processors"), std::string::npos) << doctor.out;
+}
+
+TEST(Aftermath, OfAHangUpIsNoneUnderNohup) {
+  const CommandLine line;
+  const pid_t launcher = line.start("run morning.yaml --transport dds --quiet --out a", "trap '' HUP; ");
+  ASSERT_TRUE(comes_true([&] { return fs::exists(line.path() / "a" / "INCOMPLETE"); }));
+  kill(launcher, SIGHUP);
+  EXPECT_EQ(wait_for(launcher), 0) << text_of(line.path() / "err.txt");
+  EXPECT_TRUE(fs::exists(line.path() / "a" / "summary.json"));
+}
+
 TEST(Aftermath, OfAProcessThatDidNotEndIsRemoved) {
   const CommandLine line;
   ASSERT_EQ(line.evbal("run morning.yaml --controller none --quiet --out a").status, 0);
@@ -82,7 +100,9 @@ TEST(Aftermath, OfAProcessThatDidNotEndIsRemoved) {
                                     "--scenario",
                                     line.path() / "a" / "scenario.resolved.yaml",
                                     "--journal",
-                                    line.path() / "journal"};
+                                    line.path() / "journal",
+                                    "--patience",
+                                    "600"};
   std::vector<char*> pointers;
   for (auto& word : words) {
     pointers.push_back(word.data());

@@ -59,10 +59,10 @@ class CommandLine {
     return {WEXITSTATUS(code), text_of(path() / "out.txt"), text_of(path() / "err.txt")};
   }
 
-  /// Starts the program on its own.
-  pid_t start(const std::string& arguments) const {
+  /// Starts the program on its own, once a shell has done `before`.
+  pid_t start(const std::string& arguments, const std::string& before = "") const {
     std::string command =
-        "cd " + path().string() + " && exec " + EVBAL_PROGRAM + " " + arguments + " >out.txt 2>err.txt";
+        before + "cd " + path().string() + " && exec " + EVBAL_PROGRAM + " " + arguments + " >out.txt 2>err.txt";
     std::string shell = "/bin/sh";
     std::string option = "-c";
     char* words[] = {shell.data(), option.data(), command.data(), nullptr};

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace evbal {
 namespace {
@@ -38,6 +39,13 @@ class OwnCoordinator : public ::testing::Test {
 
   CommandLine line_;
 };
+
+/// Whether a process of that id has not ended, whoever is to take note of its end.
+bool is_alive(const std::string& id) {
+  const std::string words = text_of(fs::path("/proc") / std::to_string(std::stoi(id)) / "stat");
+  const auto name_ends = words.rfind(") ");
+  return name_ends != std::string::npos && words[name_ends + 2] != 'Z';
+}
 
 TEST_F(OwnCoordinator, IsNotedWhereTheRunBreaksOff) {
   std::ofstream(line_.path() / "answers.sh") << "read opening\nread question\necho '{\"moves\": []}'\nread question\n"
@@ -78,8 +86,7 @@ TEST_F(OwnCoordinator, MayBeEvbalsOwnProgram) {
 TEST_F(OwnCoordinator, IsNamedIfItCannotTakePart) {
   expect_broken("no-such-program", 2, "there is no program `no-such-program`");
   expect_broken("evbal-coordinator", 3, "this coordinator has no controller `mine`");
-  expect_broken("evbal-bridge no-such-program", 3,
-                "`no-such-program` could not be started and owes the plan of tick 0");
+  expect_broken("evbal-bridge no-such-program", 3, "`no-such-program` cannot be started: No such file or directory");
   expect_broken("evbal-bridge python3 -c exit(7)", 3, "ended with status 7");
   expect_broken("false", 3, "ended with status 1");
 }
@@ -91,6 +98,50 @@ TEST_F(OwnCoordinator, IsRefusedWhatItSaysWrong) {
   expect_refused(R"({"moves": [{"from": 0, "to": 1, "errand": "charge"}]})", "moves[0].count: is missing");
   expect_refused(R"({"moves": [{"from": 0, "to": 5, "count": 1, "errand": "rebalance"}]})",
                  "moves[0].to: a region from 0 to 4 is expected, not 5");
+}
+
+TEST_F(OwnCoordinator, SeesTheEndOfItsInputAndMayFinish) {
+  std::ofstream(line_.path() / "learns.sh") << "read opening\n"
+                                               "while read question; do echo '{\"moves\": []}'; done\n"
+                                               "sleep 0.5\n"
+                                               "echo learnt >learnt.txt\n"
+                                               "echo said on stdout\n"
+                                               "echo said on stderr >&2\n";
+  const Ended ended = run("evbal-bridge sh learns.sh");
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  EXPECT_EQ(text_of(line_.path() / "learnt.txt"), "learnt\n");
+  const std::string log = text_of(line_.path() / "run" / "processes" / "coordinator.log");
+  EXPECT_NE(log.find("said on stdout\n"), std::string::npos) << log;
+  EXPECT_NE(log.find("said on stderr\n"), std::string::npos) << log;
+}
+
+TEST_F(OwnCoordinator, IsAskedToEndAndThenKilledIfItGoesOn) {
+  std::ofstream(line_.path() / "stays.sh") << "trap 'echo asked >asked.txt' TERM\n"
+                                              "echo $$ >id.txt\n"
+                                              "read opening\n"
+                                              "while read question; do echo '{\"moves\": []}'; done\n"
+                                              "while :; do sleep 0.1; done\n";
+  const Ended ended = run("evbal-bridge sh stays.sh");
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  EXPECT_EQ(text_of(line_.path() / "asked.txt"), "asked\n");
+  EXPECT_FALSE(is_alive(text_of(line_.path() / "id.txt")));
+}
+
+TEST_F(OwnCoordinator, EndsWithABridgeThatIsKilled) {
+  std::ofstream(line_.path() / "kills.sh") << "trap '' TERM\n"
+                                              "echo $$ >>ids.txt\n"
+                                              "read opening\n"
+                                              "read question\n"
+                                              "[ $(wc -l <ids.txt) -gt 1 ] || kill -KILL $PPID\n"
+                                              "while :; do echo '{\"moves\": []}'; read question || sleep 0.1; done\n";
+  const Ended ended = run("evbal-bridge sh kills.sh");
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  std::istringstream ids(text_of(line_.path() / "ids.txt"));
+  int count = 0;
+  for (std::string id; ids >> id; ++count) {
+    EXPECT_FALSE(is_alive(id)) << "child " << count;
+  }
+  EXPECT_EQ(count, 2);
 }
 
 TEST_F(OwnCoordinator, NeedsTheBusAndAName) {
