@@ -19,11 +19,9 @@ find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(SQLiteCpp REQUIRED)
 
-# The bus. The generator of its types is a Java program whose package does not pull in a Java runtime.
+# The bus.
 find_package(fastcdr REQUIRED)
 find_package(fastrtps REQUIRED)
-find_program(FASTDDSGEN fastddsgen REQUIRED)
-find_program(JAVA java REQUIRED)
 
 # COIN-OR ships no CMake configuration. Ipopt 3.11.9 includes <cstddef> only if it is told that there is one.
 find_path(COIN_INCLUDE_DIR coin/IpTNLP.hpp REQUIRED)

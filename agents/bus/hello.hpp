@@ -1,7 +1,6 @@
 #pragma once
 
-#include "agents/protocol/fields.hpp"
-
+#include <cstdint>
 #include <string>
 
 namespace evbal {
@@ -11,11 +10,5 @@ struct Hello {
   std::string name;  ///< as the conductor started it: "agent-0", "coordinator", "faults"
   std::int64_t process_id = 0;
 };
-
-template <class Visit>
-void fields(Visit&& visit, Is<Hello> auto& m) {
-  visit("name", m.name);
-  visit("process_id", m.process_id);
-}
 
 }  // namespace evbal

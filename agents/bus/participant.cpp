@@ -1,19 +1,8 @@
 #include "agents/bus/participant.hpp"
 
-#include "agents/bus/cdr_walk.hpp"
-#include "agents/bus/wire.hpp"
+#include "agents/bus/fast_dds.hpp"
+#include "agents/bus/topics.hpp"
 #include "common/error.hpp"
-
-#include <evbalPubSubTypes.h>
-#include <fastdds/dds/domain/DomainParticipant.hpp>
-#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
-#include <fastdds/dds/publisher/DataWriter.hpp>
-#include <fastdds/dds/publisher/Publisher.hpp>
-#include <fastdds/dds/subscriber/DataReader.hpp>
-#include <fastdds/dds/subscriber/SampleInfo.hpp>
-#include <fastdds/dds/subscriber/Subscriber.hpp>
-#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
-#include <fastrtps/utils/IPLocator.h>
 
 #include <algorithm>
 #include <cstring>
@@ -23,9 +12,7 @@
 namespace evbal {
 namespace {
 
-namespace dds = eprosima::fastdds::dds;
-namespace rtps = eprosima::fastrtps::rtps;
-using eprosima::fastrtps::Duration_t;
+using namespace fast_dds;
 
 constexpr std::uint32_t socket_buffer = 4 * 1024 * 1024;
 constexpr std::uint32_t packet_bytes = 1400;  // what fits in one packet: of a larger message every packet can be lost
@@ -34,79 +21,6 @@ constexpr std::uint32_t heartbeat_ns_apart = 10'000'000;
 constexpr std::uint32_t answer_ns_apart = 1'000'000;  // to who says that something is missing, or by whom it is missed
 constexpr int kept_samples = 16;                      // of reports and departures, for readers that are a little behind
 constexpr int unread_samples = 1 << 14;               // that a reader of many writers holds at most
-
-// Topic of each message, and the participants who have a say there; `latest` is a topic of one writer of which only the
-// newest sample matters.
-template <class Message>
-struct Topic;
-
-template <>
-struct Topic<Hello> {
-  using Type = wire::HelloPubSubType;
-  using Wire = wire::Hello;
-  static constexpr auto name = "evbal/hello";
-  static constexpr bool latest = false;
-  static constexpr bool has_say(int from) { return from != BusAddress::conductor; }
-};
-
-template <>
-struct Topic<Faults> {
-  using Type = wire::FaultsPubSubType;
-  using Wire = wire::Faults;
-  static constexpr auto name = "evbal/faults";
-  static constexpr bool latest = false;
-  static constexpr bool has_say(int from) { return from == BusAddress::injector; }
-};
-
-template <>
-struct Topic<Tick> {
-  using Type = wire::TickPubSubType;
-  using Wire = wire::Tick;
-  static constexpr auto name = "evbal/tick";
-  static constexpr bool latest = true;
-  static constexpr bool has_say(int from) { return from == BusAddress::conductor; }
-};
-
-template <>
-struct Topic<std::vector<Report>> {
-  using Type = wire::ReportsPubSubType;
-  using Wire = wire::Reports;
-  static constexpr auto name = "evbal/reports";
-  static constexpr bool latest = false;
-  static constexpr bool has_say(int from) { return from >= BusAddress::first_agent; }
-};
-
-template <>
-struct Topic<Plan> {
-  using Type = wire::PlanPubSubType;
-  using Wire = wire::Plan;
-  static constexpr auto name = "evbal/plan";
-  static constexpr bool latest = true;
-  static constexpr bool has_say(int from) { return from == BusAddress::coordinator; }
-};
-
-template <>
-struct Topic<std::vector<Departures>> {
-  using Type = wire::DeparturesPubSubType;
-  using Wire = wire::Departures;
-  static constexpr auto name = "evbal/departures";
-  static constexpr bool latest = false;
-  static constexpr bool has_say(int from) { return from >= BusAddress::first_agent; }
-};
-
-/// The type of a topic, but that bytes which are no message become one of no run: a reader of garbage must neither end
-/// nor ask for memory that no message needs.
-template <class Message>
-class GuardedType : public Topic<Message>::Type {
- public:
-  bool deserialize(rtps::SerializedPayload_t* payload, void* data) override {
-    const std::string_view bytes(reinterpret_cast<const char*>(payload->data), payload->length);
-    if (!is_whole<Message>(bytes) || !Topic<Message>::Type::deserialize(payload, data)) {
-      *static_cast<typename Topic<Message>::Wire*>(data) = {};
-    }
-    return true;
-  }
-};
 
 /// The number of the participant that wrote a sample. Fast DDS keeps it in the last four bytes of a GUID's prefix.
 int number_of_writer(const dds::SampleInfo& info) {
@@ -132,14 +46,14 @@ std::string host_of(const BusAddress& address, int participant) {
 rtps::Locator_t locator_of(const BusAddress& address, int participant) {
   rtps::Locator_t locator;
   locator.kind = LOCATOR_KIND_UDPv4;
-  rtps::IPLocator::setIPv4(locator, host_of(address, participant));
+  IPLocator::setIPv4(locator, host_of(address, participant));
   locator.port = static_cast<std::uint32_t>(discovery_port(address.domain, participant));
   return locator;
 }
 
 void use_own_host_only(dds::DomainParticipantQos& qos, const BusAddress& address) {
   qos.transport().use_builtin_transports = false;
-  const auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
+  const auto udp = std::make_shared<UDPv4TransportDescriptor>();
   udp->interfaceWhiteList = {host_of(address, address.participant)};
   if (address.apart) {
     udp->maxMessageSize = packet_bytes;
@@ -212,7 +126,7 @@ struct Participant::Entities {
     if (auto* known = participant->lookup_topicdescription(Topic<Message>::name); known != nullptr) {
       return dynamic_cast<dds::Topic*>(known);
     }
-    const dds::TypeSupport type(new GuardedType<Message>);
+    const dds::TypeSupport type(new MessageType<Message>(Topic<Message>::type));
     type.register_type(participant);
     return made(participant->create_topic(Topic<Message>::name, type.get_type_name(), dds::TOPIC_QOS_DEFAULT),
                 std::string("topic ") + Topic<Message>::name);
@@ -254,7 +168,7 @@ Writer<Message>::Writer(Participant& participant) : run_(participant.address().r
 
 template <class Message>
 void Writer<Message>::write(const Message& message) {
-  auto sample = to_wire(run_, message);
+  Sample<Message> sample{run_, message};
   if (!writer_->write(&sample)) {
     throw run_failed(std::string("Fast DDS refused a sample of ") + Topic<Message>::name);
   }
@@ -292,9 +206,9 @@ void Reader<Message>::wait(std::chrono::milliseconds at_most) const {
 template <class Message>
 std::vector<Heard<Message>> Reader<Message>::take() {
   std::vector<Heard<Message>> heard;
-  typename Topic<Message>::Wire sample;
+  Sample<Message> sample;
   dds::SampleInfo info;
-  while (reader_->take_next_sample(&sample, &info) == eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK) {
+  while (succeeded(reader_->take_next_sample(&sample, &info))) {
     if (!info.valid_data) {
       continue;
     }
@@ -302,16 +216,12 @@ std::vector<Heard<Message>> Reader<Message>::take() {
     const std::string what = std::string(Topic<Message>::name) + " from participant " + std::to_string(from);
     if (from < 0 || from >= address_.participants || !Topic<Message>::has_say(from)) {
       ++refused_[what + ", who has no say there"];
-    } else if (sample.run().empty()) {
-      throw run_failed("a sample of " + what + " is no message");
-    } else if (sample.run() != address_.run) {
+    } else if (!sample.wrong.empty() && (sample.run.empty() || sample.run == address_.run)) {
+      throw run_failed("a sample of " + what + " is no message: " + sample.wrong);
+    } else if (sample.run != address_.run) {
       ++refused_[what + ", of another run"];
     } else {
-      try {
-        heard.push_back({from, from_wire(sample)});
-      } catch (const Error& error) {
-        throw run_failed(what + ": " + error.what());
-      }
+      heard.push_back({from, std::move(sample.message)});
     }
   }
   return heard;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "agents/bus/hello.hpp"
+#include "agents/protocol/messages.hpp"
 
 #include <chrono>
 #include <map>

@@ -24,20 +24,6 @@ struct CoordinatorEntry {
   std::string memory;  ///< Planner::memory
 };
 
-template <class Visit>
-void fields(Visit&& visit, Is<AgentEntry> auto& m) {
-  visit("tick", m.tick);
-  visit("plan", m.plan);
-}
-
-template <class Visit>
-void fields(Visit&& visit, Is<CoordinatorEntry> auto& m) {
-  visit("tick", m.tick);
-  visit("reports", m.reports);
-  visit("plan", m.plan);
-  visit("memory", m.memory);
-}
-
 /// The tick without what concerns only regions outside of [first, last].
 inline Tick for_regions(Tick tick, int first, int last) {
   const auto elsewhere = [&](const auto& entry) { return entry.region < first || entry.region > last; };

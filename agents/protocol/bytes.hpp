@@ -1,6 +1,7 @@
 #pragma once
 
-#include "agents/protocol/fields.hpp"
+#include "agents/protocol/messages.hpp"
+#include "agents/protocol/reflection.hpp"
 #include "common/error.hpp"
 
 #include <bit>
@@ -8,40 +9,42 @@
 #include <cstring>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 /// Messages as bytes: the fields in the order of the struct, numbers little-endian, lists and texts with their length
-/// before them. Whatever has `fields` can be written so.
+/// before them. Any plain struct can be written so.
 namespace evbal {
 
 static_assert(std::endian::native == std::endian::little, "digests and journals are of little-endian bytes");
 
 enum class Detail {
   all,     ///< every field
-  digest,  ///< without Origins; rare fields (fields.hpp) only where they say something, with their name
+  digest,  ///< without outside_digests; rare_in_digests only where they differ from their default, with their name
 };
+
+/// Calls `then(member)` if `field` of `message` is one of the members that a tuple names; says whether it is.
+template <class Members, class Message, class Field, class Then>
+bool if_named(const Members& members, const Message& message, const Field& field, Then then) {
+  const auto is = [&](auto member) {
+    if constexpr (std::is_same_v<decltype(member), Field Message::*>) {
+      if (&(message.*member) == &field) {
+        then(member);
+        return true;
+      }
+    }
+    return false;
+  };
+  return std::apply([&](auto... member) { return (is(member) || ...); }, members);
+}
 
 /// Hands a value's bytes to `sink(pointer, size)`.
 template <class Sink>
 class ByteWriter {
  public:
   ByteWriter(Sink sink, Detail detail) : sink_(std::move(sink)), detail_(detail) {}
-
-  template <class Field>
-  void operator()(const char* /*name*/, const Field& field) {
-    write(field);
-  }
-
-  template <class Field>
-  void rare(const char* name, const Field& field, bool quiet) {
-    if (detail_ == Detail::all) {
-      write(field);
-    } else if (!quiet) {
-      write(std::string(name));
-      write(field);
-    }
-  }
 
   template <class Number>
   requires std::is_arithmetic_v<Number> || std::is_enum_v<Number>
@@ -63,12 +66,28 @@ class ByteWriter {
   template <class Message>
   requires std::is_class_v<Message>
   void write(const Message& message) {
-    if (detail_ == Detail::all || !std::is_same_v<Message, Origin>) {
-      fields(*this, message);
-    }
+    for_each_field(message, [&](std::string_view name, const auto& field) {
+      if (detail_ == Detail::all || !write_apart(name, message, field)) {
+        write(field);
+      }
+    });
   }
 
  private:
+  /// Whether digests treat a field apart; writes it then as they want it.
+  template <class Message, class Field>
+  bool write_apart(std::string_view name, const Message& message, const Field& field) {
+    const auto write_unless_usual = [&](auto member) {
+      static const Message usual{};
+      if (field != usual.*member) {
+        write(std::string(name));
+        write(field);
+      }
+    };
+    return if_named(outside_digests, message, field, [](auto /*member*/) {}) ||
+           if_named(rare_in_digests, message, field, write_unless_usual);
+  }
+
   Sink sink_;
   Detail detail_;
 };
@@ -77,11 +96,6 @@ class ByteWriter {
 class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) : rest_(bytes) {}
-
-  template <class Field>
-  void operator()(const char* /*name*/, Field& field) {
-    read(field);
-  }
 
   template <class Number>
   requires std::is_arithmetic_v<Number> || std::is_enum_v<Number>
@@ -99,7 +113,9 @@ class ByteReader {
 
   template <class Message>
   requires std::is_class_v<Message>
-  void read(Message& message) { fields(*this, message); }
+  void read(Message& message) {
+    for_each_field(message, [&](std::string_view /*name*/, auto& field) { read(field); });
+  }
 
   bool at_end() const { return rest_.empty(); }
 

@@ -5,9 +5,8 @@
 
 namespace evbal {
 
-/// Adds a message to a digest: every field but the Origin, in the order of the struct, as little-endian bytes. A rare
-/// field (fields.hpp) that is quiet adds nothing, one that is not adds its name too: new kinds of fault leave the
-/// digests of days without them alone.
+/// Adds a message to a digest: its fields in the order of the struct, as little-endian bytes, but for what the end of
+/// messages.hpp excepts.
 void fingerprint(Digest& digest, const Faults& message);
 void fingerprint(Digest& digest, const Report& message);
 void fingerprint(Digest& digest, const Plan& message);

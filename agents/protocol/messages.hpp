@@ -2,14 +2,20 @@
 
 #include <cstdint>
 #include <string>
+#include <tuple>
 #include <vector>
 
 /// What is said in one tick (`architecture` of the docs): plain values, the same over DDS and in one process.
 /// Regions count from 0; minutes count from the day's start; lists are in the order that each comment gives, so
 /// that equal worlds give equal bytes.
+///
+/// To add a field, write one line here and one at the same place of agents/bus/evbal.idl; tests/bus/idl_test.cpp fails
+/// if either is forgotten. Bus, journals, record, digests and bridge find the field by itself (reflection.hpp). Then
+/// say in message_check.cpp which values cannot be, and at the end of this file if digests treat the field in another
+/// way.
 namespace evbal {
 
-/// Who wrote a message and what it cost. Recorded, but no part of any digest.
+/// Who wrote a message and what it cost.
 struct Origin {
   std::int64_t process_id = 0;
   double seconds = 0.0;  ///< CPU seconds spent on making it
@@ -262,5 +268,19 @@ struct Departures {
   std::int32_t broken = 0;  ///< vehicles that are here and cannot be used
   Origin origin;
 };
+
+/// Fields that are recorded but no part of any digest: they differ between runs of the same day.
+inline constexpr std::tuple outside_digests{&Faults::origin, &Report::origin, &Plan::origin, &Departures::origin};
+
+/// Fields that digests take in only where they differ from their default, and then with their name: digests of days
+/// without such a fault stay what they were before there was the field.
+inline constexpr std::tuple rare_in_digests{&Effect::to,
+                                            &Effect::field,
+                                            &Effect::process,
+                                            &Effect::topic,
+                                            &Provenance::demand_widened,
+                                            &Provenance::completions_widened,
+                                            &Provenance::rejected,
+                                            &Departures::broken};
 
 }  // namespace evbal

@@ -1,6 +1,6 @@
 #include "coordinator/bridge/json_lines.hpp"
 
-#include "agents/protocol/fields.hpp"
+#include "agents/protocol/reflection.hpp"
 #include "agents/protocol/words.hpp"
 #include "coordinator/planning/json_reader.hpp"
 
@@ -22,10 +22,10 @@ class FieldWriter {
  public:
   explicit FieldWriter(json& out) : out_(out) {}
 
-  void operator()(const char* /*name*/, const Origin& /*differs between runs*/) {}
+  void operator()(std::string_view /*name*/, const Origin& /*differs between runs*/) {}
 
   template <class Field>
-  void operator()(const char* name, const Field& field) {
+  void operator()(std::string_view name, const Field& field) {
     out_[name] = value(field);
   }
 
@@ -38,7 +38,7 @@ class FieldWriter {
       return field;
     } else {
       json out = json::object();
-      fields(FieldWriter(out), field);
+      for_each_field(field, FieldWriter(out));
       return out;
     }
   }
@@ -60,15 +60,15 @@ class MoveReader {
  public:
   explicit MoveReader(JsonObject& in) : in_(in) {}
 
-  void operator()(const char* name, std::int32_t& number) { number = in_.integer(name, 0, most); }
+  void operator()(std::string_view name, std::int32_t& number) { number = in_.integer(std::string(name), 0, most); }
 
-  void operator()(const char* name, Errand& errand) {
-    const std::string text = in_.text(name);
-    const auto* const found = std::ranges::find(errand_words, text);
-    if (found == errand_words.end() || text == word(Errand::passenger)) {
-      throw in_.error(name, "`rebalance` or `charge` is expected, not `" + text + "`");
+  void operator()(std::string_view name, Errand& errand) {
+    const std::string text = in_.text(std::string(name));
+    const auto* const found = std::ranges::find(enumerator_names<Errand>, text);
+    if (found == enumerator_names<Errand>.end() || text == word(Errand::passenger)) {
+      throw in_.error(std::string(name), "`rebalance` or `charge` is expected, not `" + text + "`");
     }
-    errand = static_cast<Errand>(found - errand_words.begin());
+    errand = static_cast<Errand>(found - enumerator_names<Errand>.begin());
   }
 
  private:
@@ -147,7 +147,7 @@ std::string opening_line(const World& world, const std::string& controller) {
 std::string question_line(int tick, const std::vector<Report>& reports) {
   json said = json::array();
   for (const auto& report : reports) {
-    fields(FieldWriter(said.emplace_back(json::object())), report);
+    for_each_field(report, FieldWriter(said.emplace_back(json::object())));
   }
   return json{{"tick", tick}, {"reports", said}}.dump();
 }
@@ -160,7 +160,7 @@ std::vector<Move> read_answer(const std::string& line, const std::string& place,
   std::vector<Move> moves;
   for (JsonObject& object : answer.objects("moves")) {
     Move& move = moves.emplace_back();
-    fields(MoveReader(object), move);
+    for_each_field(move, MoveReader(object));
     object.finish();
     check.take(move, object);
   }

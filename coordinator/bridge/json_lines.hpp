@@ -7,7 +7,7 @@
 #include <vector>
 
 /// What evbal-bridge and a child process say to one another, each line one JSON object; the fields of reports and moves
-/// are those of agents/protocol/fields.hpp. docs/your-own-controller.md shows the lines.
+/// are those of agents/protocol/messages.hpp. docs/your-own-controller.md shows the lines.
 namespace evbal {
 
 /// The first line to the child: what it may know of city, day and clock.

@@ -14,9 +14,6 @@
 #include <utility>
 
 namespace evbal {
-namespace {
-
-constexpr int demand_samples = 50;
 
 /// What a coordinator cannot find out again from the reports of the day.
 struct Memory {
@@ -24,11 +21,9 @@ struct Memory {
   std::vector<Move> moves;  ///< of the last plan
 };
 
-template <class Visit>
-void fields(Visit&& visit, Is<Memory> auto& m) {
-  visit("ladder", m.ladder);
-  visit("moves", m.moves);
-}
+namespace {
+
+constexpr int demand_samples = 50;
 
 void check_fit(const City& city, const DayClock& clock, const PlanningSettings& settings, const CityModel& model) {
   const std::string file = model_file(settings, city).string();

@@ -1,14 +1,13 @@
 #pragma once
 
-#include "agents/protocol/fields.hpp"
-#include "agents/protocol/measured.hpp"
+#include "agents/protocol/reflection.hpp"
 #include "agents/protocol/words.hpp"
 #include "experiments/record/text.hpp"
 #include "faults/schedule/fault_types.hpp"
 
-#include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -26,34 +25,14 @@ inline const std::string& word(EffectType type) {
   return fault_type(type).name;
 }
 
-inline const std::string& word(OnStart on_start) {
-  return on_start_words().at(static_cast<std::size_t>(on_start));
-}
-
-inline const char* word(ReportField field) {
-  return field == ReportField::none ? "none" : measured.at(index_of(field)).name;
-}
-
-inline const char* word(ProcessRole process) {
-  return std::array{"agent", "coordinator", "injector"}.at(static_cast<std::size_t>(process));
-}
-
-inline const std::string& word(NetworkTopic topic) {
-  return network_topic_words().at(static_cast<std::size_t>(topic));
-}
-
-inline const char* word(FallbackLevel level) {
-  return std::array{"none", "nominal", "shifted", "hold"}.at(static_cast<std::size_t>(level));
-}
-
 /// Appends the columns of a message to a row (day_file.hpp says which).
 class RowWriter {
  public:
   explicit RowWriter(Row& row, std::string prefix = "") : row_(row), prefix_(std::move(prefix)) {}
 
   template <class Field>
-  void operator()(const char* name, const Field& field) {
-    const std::string column = prefix_ + name;
+  void operator()(std::string_view name, const Field& field) {
+    const std::string column = prefix_ + std::string(name);
     const bool reserved = column == "from" || column == "to";
     write(reserved ? column + "_region" : column, field);
   }
@@ -97,7 +76,7 @@ class RowWriter {
   requires std::is_class_v<Message>
   void write(const std::string& name, const Message& message) {
     RowWriter part(row_, name + "_");
-    fields(part, message);
+    for_each_field(message, part);
   }
 
   Row& row_;
@@ -108,7 +87,7 @@ class RowWriter {
 template <class Message>
 Row row_of(Row key, const Message& message) {
   RowWriter writer(key);
-  fields(writer, message);
+  for_each_field(message, writer);
   return key;
 }
 

@@ -1,6 +1,6 @@
 #include "faults/schedule/fault_types.hpp"
 
-#include "agents/protocol/measured.hpp"
+#include "agents/protocol/words.hpp"
 
 #include <cassert>
 
@@ -90,26 +90,10 @@ const FaultType& fault_type(EffectType effect) {
   return type;
 }
 
-const std::vector<std::string>& on_start_words() {
-  static const std::vector<std::string> words = {"drain", "evict"};
-  return words;
-}
-
-const std::vector<std::string>& report_field_words() {
-  static const std::vector<std::string> words = [] {
-    std::vector<std::string> names;
-    names.reserve(measured.size());
-    for (const Measured& count : measured) {
-      names.emplace_back(count.name);
-    }
-    return names;
-  }();
-  return words;
-}
-
-const std::vector<std::string>& network_topic_words() {
-  static const std::vector<std::string> words = {"all", "report", "plan"};
-  return words;
+std::vector<std::string> report_field_words() {
+  std::vector<std::string> fields = words<ReportField>();
+  fields.erase(fields.begin());
+  return fields;
 }
 
 }  // namespace evbal

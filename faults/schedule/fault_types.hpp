@@ -59,9 +59,7 @@ const FaultType& fault_type(EffectType effect);
 /// Largest factor on demand that a schedule may ask for.
 constexpr double max_factor = 100.0;
 
-/// The words of a schedule for the enumerators of these types, in their order.
-const std::vector<std::string>& on_start_words();
-const std::vector<std::string>& report_field_words();  ///< the first one is that of ReportField::vacant
-const std::vector<std::string>& network_topic_words();
+/// The fields that a sensor measures, from ReportField::vacant on.
+std::vector<std::string> report_field_words();
 
 }  // namespace evbal

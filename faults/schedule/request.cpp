@@ -1,5 +1,6 @@
 #include "faults/schedule/request.hpp"
 
+#include "agents/protocol/words.hpp"
 #include "faults/schedule/entry.hpp"
 
 #include <algorithm>
@@ -111,7 +112,7 @@ Request read_request(const YamlValue& entry, const FaultContext& context) {
     request.to = map.require("to").integer(0, static_cast<int>(context.points_per_region.size()) - 1);
   }
   if (const auto given = request.type->on_start ? map.find("on_start") : std::nullopt) {
-    request.on_start = static_cast<OnStart>(given->one_of(on_start_words()));
+    request.on_start = static_cast<OnStart>(given->one_of(words<OnStart>()));
   }
   if (const auto given = request.type->may_be_invisible() ? map.find("visible") : std::nullopt) {
     request.visible = given->boolean();

@@ -1,5 +1,6 @@
 #include "faults/schedule/schedule.hpp"
 
+#include "agents/protocol/words.hpp"
 #include "faults/schedule/draw.hpp"
 #include "faults/schedule/entry.hpp"
 #include "faults/schedule/fault_types.hpp"
@@ -84,7 +85,7 @@ Fault read_fault(const YamlValue& entry, const FaultContext& context) {
     fault.ramp = read_ramp(map.require("ramp"), fault.duration);
   }
   if (type.on_start) {
-    fault.on_start = static_cast<OnStart>(map.require("on_start").one_of(on_start_words()));
+    fault.on_start = static_cast<OnStart>(map.require("on_start").one_of(words<OnStart>()));
   }
   if (type.may_be_invisible()) {
     fault.visible = map.require("visible").boolean();
@@ -120,7 +121,7 @@ std::string fault_yaml(const Fault& fault, const DayClock& clock) {
   line(true, "start", "\"" + time_of_day(clock, fault.start) + "\"");
   line(true, type.duration, std::to_string(fault.duration) + "min");
   line(type.ramp, "ramp", std::to_string(fault.ramp) + "min");
-  line(type.on_start, "on_start", on_start_words()[static_cast<std::size_t>(fault.on_start)]);
+  line(type.on_start, "on_start", std::string(word(fault.on_start)));
   line(type.may_be_invisible(), "visible", fault.visible ? "true" : "false");
   return yaml;
 }

@@ -1,6 +1,6 @@
 #include "faults/schedule/target.hpp"
 
-#include "agents/protocol/measured.hpp"
+#include "agents/protocol/words.hpp"
 #include "faults/schedule/entry.hpp"
 
 namespace evbal {
@@ -121,7 +121,7 @@ Target read_target(YamlMap& entry, const FaultType& type, const FaultContext& co
     target.field = static_cast<ReportField>(field.one_of(report_field_words()) + 1);
   }
   if (type.target == TargetKind::topics) {
-    target.topic = static_cast<NetworkTopic>(map.require("topic").one_of(network_topic_words()));
+    target.topic = static_cast<NetworkTopic>(map.require("topic").one_of(words<NetworkTopic>()));
   }
   if (names_agents(type) && read_single_process(map, target)) {
     map.finish();
@@ -141,9 +141,9 @@ std::string target_yaml(const Fault& fault) {
     case TargetKind::engine:
       return "";
     case TargetKind::sensors:
-      return "{" + where + ", field: " + measured.at(index_of(fault.field)).name + "}";
+      return "{" + where + ", field: " + std::string(word(fault.field)) + "}";
     case TargetKind::topics:
-      return "{topic: " + network_topic_words().at(static_cast<std::size_t>(fault.topic)) + ", " + where + "}";
+      return "{topic: " + std::string(word(fault.topic)) + ", " + where + "}";
     case TargetKind::regions:
     case TargetKind::stations:
     case TargetKind::processes:

@@ -1,3 +1,4 @@
+#include "agents/protocol/words.hpp"
 #include "faults/schedule/fault_types.hpp"
 #include "tests/faults/schedule_fixture.hpp"
 
@@ -31,7 +32,7 @@ std::string random_target(const FaultType& type) {
       return "target: " +
              one_of({"{agent: 2}", "{agents: [0, 4]}", "{pick: 3}", "{coordinator: true}", "{injector: true}"}) + ", ";
     case TargetKind::topics:
-      return "target: {topic: " + one_of(network_topic_words()) + one_of({"", ", regions: [3]", ", fraction: 0.5"}) +
+      return "target: {topic: " + one_of(words<NetworkTopic>()) + one_of({"", ", regions: [3]", ", fraction: 0.5"}) +
              "}, ";
     case TargetKind::regions:
     case TargetKind::stations:

@@ -1,6 +1,6 @@
 #include "coordinator/planning/report_check.hpp"
 
-#include "agents/protocol/fields.hpp"
+#include "agents/protocol/reflection.hpp"
 #include "tests/region/plant_fixture.hpp"
 
 #include <gtest/gtest.h>
@@ -62,18 +62,18 @@ TEST(ReportCheck, BelievesTheFirstOfTwo) {
 /// Any number in any field.
 struct Garble {
   template <class Field>
-  void operator()(const char* /*name*/, Field& field) const {
+  void operator()(std::string_view /*name*/, Field& field) const {
     if constexpr (std::is_enum_v<Field>) {
       field = static_cast<Field>(*rc::gen::inRange(0, 3));
     } else if constexpr (std::is_arithmetic_v<Field>) {
       field = *rc::gen::inRange(0, 3) == 0 ? *rc::gen::arbitrary<Field>() : field;
     } else {
-      fields(*this, field);
+      for_each_field(field, *this);
     }
   }
 
   template <class Item>
-  void operator()(const char* name, std::vector<Item>& items) const {
+  void operator()(std::string_view name, std::vector<Item>& items) const {
     items.resize(static_cast<std::size_t>(*rc::gen::inRange(0, 4)));
     for (Item& item : items) {
       (*this)(name, item);

@@ -1,39 +1,18 @@
 #pragma once
 
-#include "agents/protocol/fields.hpp"
+#include "agents/protocol/reflection.hpp"
 
 #include <rapidcheck.h>
 
 #include <cmath>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
 /// Messages with one field of garbage.
 namespace evbal::test {
-
-inline int enumerators(Errand /*type*/) {
-  return 3;
-}
-inline int enumerators(EffectType /*type*/) {
-  return 23;
-}
-inline int enumerators(OnStart /*type*/) {
-  return 2;
-}
-inline int enumerators(ReportField /*type*/) {
-  return 8;
-}
-inline int enumerators(ProcessRole /*type*/) {
-  return 3;
-}
-inline int enumerators(NetworkTopic /*type*/) {
-  return 3;
-}
-inline int enumerators(FallbackLevel /*type*/) {
-  return 4;
-}
 
 /// Any value, mostly an extreme one or a neighbour. Enumerators exist: others do not get through the wire.
 template <class Field>
@@ -41,7 +20,7 @@ void spoil(Field& field) {
   if constexpr (std::is_same_v<Field, bool>) {
     field = !field;
   } else if constexpr (std::is_enum_v<Field>) {
-    field = static_cast<Field>(*rc::gen::inRange(0, enumerators(field)));
+    field = static_cast<Field>(*rc::gen::inRange(std::size_t{0}, enumerators<Field>));
   } else if constexpr (std::is_floating_point_v<Field>) {
     using Limits = std::numeric_limits<double>;
     field = *rc::gen::element(Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity(), Limits::max(),
@@ -61,9 +40,9 @@ class Spoiler {
   explicit Spoiler(int place = -1) : place_(place) {}
 
   template <class Field>
-  void operator()(const char* name, Field& field) {
+  void operator()(std::string_view name, Field& field) {
     if constexpr (std::is_class_v<Field> && !std::is_same_v<Field, std::string>) {
-      fields(*this, field);
+      for_each_field(field, *this);
     } else if (at_++ == place_) {
       name_ = name;
       spoil(field);
@@ -71,7 +50,7 @@ class Spoiler {
   }
 
   template <class Item>
-  void operator()(const char* name, std::vector<Item>& items) {
+  void operator()(std::string_view name, std::vector<Item>& items) {
     if (at_++ == place_) {
       name_ = name;
       if (!items.empty() && *rc::gen::arbitrary<bool>()) {

@@ -2,17 +2,10 @@
 // every topic what looks like a message of the run, and bytes that look like nothing, until its standard input ends.
 // Makes the file READY once everybody can hear it.
 
-#include "agents/bus/participant.hpp"
-#include "agents/bus/wire.hpp"
+#include "agents/bus/fast_dds.hpp"
+#include "agents/bus/topics.hpp"
 #include "common/random.hpp"
 
-#include <evbalPubSubTypes.h>
-#include <fastdds/dds/domain/DomainParticipant.hpp>
-#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
-#include <fastdds/dds/publisher/DataWriter.hpp>
-#include <fastdds/dds/publisher/Publisher.hpp>
-#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
-#include <fastrtps/utils/IPLocator.h>
 #include <poll.h>
 #include <unistd.h>
 
@@ -30,15 +23,18 @@
 namespace {
 
 using namespace evbal;
-namespace dds = eprosima::fastdds::dds;
-namespace rtps = eprosima::fastrtps::rtps;
+namespace dds = fast_dds::dds;
+namespace rtps = fast_dds::rtps;
+using fast_dds::MessageType;
 
 constexpr int ticks_of_a_day = 300;
 
 /// Writes any bytes under the name of a type.
-template <class Type>
-class Noise : public Type {
+template <class Message>
+class Noise : public MessageType<Message> {
  public:
+  using MessageType<Message>::MessageType;
+
   bool serialize(void* /*data*/, rtps::SerializedPayload_t* payload) override {
     payload->length = static_cast<std::uint32_t>(random_.below(payload->max_size + 1));
     std::generate_n(payload->data, payload->length, [&] { return static_cast<unsigned char>(random_.below(256)); });
@@ -62,13 +58,13 @@ class Stranger {
     dds::DomainParticipantQos qos;
     qos.wire_protocol().participant_id = participants + 20;
     qos.transport().use_builtin_transports = false;
-    const auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
+    const auto udp = std::make_shared<fast_dds::UDPv4TransportDescriptor>();
     udp->interfaceWhiteList = {"127.0.0.1"};
     qos.transport().user_transports.push_back(udp);
     for (int peer = 0; peer < participants; ++peer) {
       rtps::Locator_t locator;
       locator.kind = LOCATOR_KIND_UDPv4;
-      rtps::IPLocator::setIPv4(locator, 127, 0, 0, 1);
+      fast_dds::IPLocator::setIPv4(locator, 127, 0, 0, 1);
       locator.port = static_cast<std::uint32_t>(discovery_port(domain, peer));
       qos.wire_protocol().builtin.initialPeersList.push_back(locator);
     }
@@ -86,10 +82,10 @@ class Stranger {
   Stranger& operator=(const Stranger&) = delete;
 
   /// Of a topic that so many read.
-  template <class Type>
-  dds::DataWriter* writer(const std::string& topic, int readers) {
-    make_writer(noisy_, new Noise<Type>, topic, readers);
-    return make_writer(participant_, new Type, topic, readers);
+  template <class Message>
+  dds::DataWriter* writer(int readers) {
+    make_writer(noisy_, new Noise<Message>(Topic<Message>::type), Topic<Message>::name, readers);
+    return make_writer(participant_, new MessageType<Message>(Topic<Message>::type), Topic<Message>::name, readers);
   }
 
   bool heard() const {
@@ -143,35 +139,35 @@ bool input_ended() {
 void disturb(int domain, const std::string& run, int participants, const std::string& ready) {
   Stranger stranger(domain, participants);
   const int agents = participants - BusAddress::first_agent;
-  auto* hello = stranger.writer<wire::HelloPubSubType>("evbal/hello", 1);
-  auto* faults = stranger.writer<wire::FaultsPubSubType>("evbal/faults", 1);
-  auto* ticks = stranger.writer<wire::TickPubSubType>("evbal/tick", participants);
-  auto* reports = stranger.writer<wire::ReportsPubSubType>("evbal/reports", 2);
-  auto* plans = stranger.writer<wire::PlanPubSubType>("evbal/plan", agents + 1);
-  auto* departures = stranger.writer<wire::DeparturesPubSubType>("evbal/departures", 1);
+  auto* hello = stranger.writer<Hello>(1);
+  auto* faults = stranger.writer<Faults>(1);
+  auto* ticks = stranger.writer<Tick>(participants);
+  auto* reports = stranger.writer<std::vector<Report>>(2);
+  auto* plans = stranger.writer<Plan>(agents + 1);
+  auto* departures = stranger.writer<std::vector<Departures>>(1);
   while (!stranger.heard()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
   std::ofstream out(ready);
   for (int tick = 0; !input_ended(); tick = (tick + 1) % ticks_of_a_day) {
-    auto hello_sample = to_wire(run, Hello{.name = "agent-0", .process_id = getpid()});
-    auto faults_sample = to_wire(
-        run, Faults{.tick = tick, .effects = {{.type = EffectType::demand_scale, .magnitude = 9.0}}, .origin = {}});
+    Sample<Hello> hello_sample{run, {.name = "agent-0", .process_id = getpid()}};
+    Sample<Faults> faults_sample{
+        run, {.tick = tick, .effects = {{.type = EffectType::demand_scale, .magnitude = 9.0}}, .origin = {}}};
     Tick announced;
     announced.tick = tick;
     announced.plan_due = true;
     announced.due = {0, 1, 2, 3, 4};
-    auto tick_sample = to_wire(run, announced);
+    Sample<Tick> tick_sample{run, announced};
     std::vector<Report> report(1);
     report[0].tick = tick;
     report[0].vacant = 40;
-    auto report_sample = to_wire(run, report);
-    auto plan_sample =
-        to_wire(run, Plan{.tick = tick, .moves = {{.from = 0, .to = 1, .count = 50}}, .provenance = {}, .origin = {}});
+    Sample<std::vector<Report>> report_sample{run, report};
+    Sample<Plan> plan_sample{
+        run, {.tick = tick, .moves = {{.from = 0, .to = 1, .count = 50}}, .provenance = {}, .origin = {}}};
     std::vector<Departures> said(1);
     said[0].tick = tick;
     said[0].departures = {{.minute = 5 * tick, .to = 2, .vehicle = {.id = 7}}};
-    auto departures_sample = to_wire(run, said);
+    Sample<std::vector<Departures>> departures_sample{run, said};
     hello->write(&hello_sample);
     faults->write(&faults_sample);
     ticks->write(&tick_sample);

@@ -1,8 +1,8 @@
 // What libFuzzer calls: any bytes as a sample of each topic, as a reader of the bus takes it, and what is not refused
 // as those take it whom it is meant for. Everything but an Error is found.
 
-#include "agents/bus/cdr_walk.hpp"
-#include "agents/bus/wire.hpp"
+#include "agents/bus/cdr.hpp"
+#include "agents/bus/hello.hpp"
 #include "agents/protocol/message_check.hpp"
 #include "agents/region/region_plant.hpp"
 #include "agents/world/draws.hpp"
@@ -13,10 +13,7 @@
 #include "experiments/conductor/attendance.hpp"
 #include "experiments/conductor/roads.hpp"
 
-#include <evbalPubSubTypes.h>
-
 #include <cstdint>
-#include <cstring>
 #include <iterator>
 #include <utility>
 
@@ -41,34 +38,28 @@ const MessageBounds& bounds() {
   return all;
 }
 
-template <class Type, class Message>
+template <class Message>
 Message message(std::string_view bytes) {
-  if (!is_whole<Message>(bytes)) {
-    throw run_failed("no message");
+  Sample<Message> sample = read_cdr<Message>(bytes);
+  if (!sample.wrong.empty()) {
+    throw run_failed(sample.wrong);
   }
-  eprosima::fastrtps::rtps::SerializedPayload_t payload(static_cast<std::uint32_t>(bytes.size()));
-  std::memcpy(payload.data, bytes.data(), bytes.size());
-  payload.length = static_cast<std::uint32_t>(bytes.size());
-  typename Type::type sample;
-  if (!Type().deserialize(&payload, &sample)) {
-    std::abort();  // what the walk let through
-  }
-  return from_wire(sample);
+  return sample.message;
 }
 
 void hear_hello(std::string_view bytes) {
-  message<wire::HelloPubSubType, Hello>(bytes);
+  message<Hello>(bytes);
 }
 
 void hear_faults(std::string_view bytes) {
-  auto said = message<wire::FaultsPubSubType, Faults>(bytes);
+  auto said = message<Faults>(bytes);
   said.tick = now;
   refuse_garbage(said, bounds(), "the injector");
   attendance(said.effects, {1, world().city.size(), 2}, now, true);
 }
 
 void hear_tick(std::string_view bytes) {
-  const auto said = message<wire::TickPubSubType, Tick>(bytes);
+  const auto said = message<Tick>(bytes);
   refuse_garbage(said, bounds(), "the conductor");
   announced_demand(said.effects, world().city.size());
   RegionPlant plant = make_plant(world(), 0);
@@ -78,7 +69,7 @@ void hear_tick(std::string_view bytes) {
 }
 
 void hear_plan(std::string_view bytes) {
-  const auto said = message<wire::PlanPubSubType, Plan>(bytes);
+  const auto said = message<Plan>(bytes);
   RegionPlant plant = make_plant(world(), 0);
   Tick tick;
   tick.tick = said.tick == now ? now : 0;
@@ -88,13 +79,13 @@ void hear_plan(std::string_view bytes) {
 
 void hear_reports(std::string_view bytes) {
   const auto points = world().city.points();
-  check_reports(message<wire::ReportsPubSubType, std::vector<Report>>(bytes), now, 0,
+  check_reports(message<std::vector<Report>>(bytes), now, 0,
                 {world().city.fleet.vehicles, {points.begin(), points.end()}, world().clock});
 }
 
 void hear_departures(std::string_view bytes) {
   Roads roads(draw_fleet(world()));
-  for (const auto& said : message<wire::DeparturesPubSubType, std::vector<Departures>>(bytes)) {
+  for (const auto& said : message<std::vector<Departures>>(bytes)) {
     refuse_garbage(said, bounds(), "region " + std::to_string(said.region));
     roads.take(said, world().clock.minute_of(said.tick + 1));
   }
