@@ -15,17 +15,18 @@ PlanFunction optimum(const FormulationOptions& options) {
   return [options](const BalancingParameters& parameters, const PlanningData& data, const EngineSettings& engine) {
     const Formulation formulation = formulate(parameters, data, options);
     const Solution solution = solve(formulation.program, engine);
-    BalancingResult result{.dispatch = {}, .certificate = solution.certificate};
-    if (result.certificate.optimal) {
-      result.dispatch = dispatch_at(formulation, solution.x);
+    if (!solution.certificate.optimal()) {
+      return BalancingResult{.dispatch = {}, .certificate = solution.certificate, .cost = {}};
     }
-    return result;
+    return BalancingResult{.dispatch = dispatch_at(formulation, solution.x),
+                           .certificate = solution.certificate,
+                           .cost = formulation.program.cost_by_term(solution.x)};
   };
 }
 
 BalancingResult by_rule(Dispatch dispatch) {
-  BalancingResult result{.dispatch = std::move(dispatch), .certificate = {}};
-  result.certificate.optimal = true;
+  BalancingResult result{.dispatch = std::move(dispatch), .certificate = {}, .cost = {}};
+  result.certificate.status = SolveStatus::optimal;
   return result;
 }
 
@@ -54,7 +55,7 @@ const std::vector<Controller>& controllers() {
 BalancingResult balance(const Controller& controller, const BalancingParameters& parameters, const PlanningData& data,
                         const EngineSettings& engine) {
   if (const auto why_not = complaint(parameters, data); !why_not.empty()) {
-    return {.dispatch = {}, .certificate = refusal(why_not)};
+    return {.dispatch = {}, .certificate = refusal(why_not, SolveStatus::refused), .cost = {}};
   }
   return controller.plan(parameters, data, engine);
 }

@@ -10,13 +10,13 @@
 
 namespace evbal {
 
-/// Makes one plan from data that are sound.
+/// Makes one plan from data that are sound (validate.hpp).
 using PlanFunction =
     std::function<BalancingResult(const BalancingParameters&, const PlanningData&, const EngineSettings&)>;
 
-/// A way to plan, by the name that scenarios use.
+/// A way to plan.
 struct Controller {
-  std::string name;
+  std::string name;  ///< that scenarios use
   PlanFunction plan;
   bool draws_samples = false;  ///< plans for PlanningData::demand_samples
 };
@@ -24,14 +24,15 @@ struct Controller {
 /// Solves the balancing problem with these options.
 PlanFunction optimum(const FormulationOptions& options);
 
-/// Makes a plan of these flows that nothing was solved for: objective, bound and gap are 0.
+/// A plan of these flows that nothing was solved for: objective, bound and gap are 0, and there are no cost terms.
 BalancingResult by_rule(Dispatch dispatch);
 
-/// The controllers of model, section 4.
+/// The project's own controllers (docs/model.md, section 4).
 const std::vector<Controller>& controllers();
 
 /// Makes one plan over the horizon that `data` spans; `engine.name` is one of engine_names(). Never throws for what the
-/// data hold: data that are no numbers and solves that fail give a certificate that is not optimal and says why.
+/// data hold: data that are no numbers and solves that fail give a certificate that is not optimal and says why; the
+/// plan is then empty.
 BalancingResult balance(const Controller& controller, const BalancingParameters& parameters, const PlanningData& data,
                         const EngineSettings& engine);
 
@@ -43,6 +44,7 @@ BalancingResult balance(const std::string& controller, const BalancingParameters
 /// among controllers() may.
 bool draws_samples(const std::string& controller);
 
+/// Names of controllers(), in their order.
 std::vector<std::string> controller_names();
 
 }  // namespace evbal

@@ -7,11 +7,11 @@
 namespace evbal {
 
 /// Demand of each step as `turnover` sees it, N x tau: the forecast and, in the first step, those of the passengers who
-/// wait now that are still there to be served (model, section 4).
+/// wait now that are still there to be served (docs/model.md, section 4).
 Eigen::MatrixXd demand_with_waiting(const PlanningData& data);
 
 /// A, N x tau: cars that drop a passenger off in region i within the step, those due already and those that serve
-/// `demand` from `vacant` (N x tau both) and are done within the step (model, section 4):
+/// `demand` from `vacant` (N x tau both) and are done within the step (docs/model.md, section 4):
 ///     A_i = due_i + sum_j served_j D_ji,      served = min(demand, vacant + 0.8 A)
 Eigen::MatrixXd dropoffs(const PlanningData& data, const Eigen::MatrixXd& demand, const Eigen::MatrixXd& vacant);
 

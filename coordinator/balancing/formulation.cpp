@@ -3,7 +3,6 @@
 #include "coordinator/balancing/shortage_terms.hpp"
 
 #include <cmath>
-#include <string>
 #include <utility>
 
 namespace evbal {
@@ -29,6 +28,13 @@ struct Step {
   Variables S, Y, u, e;
 };
 
+// What is sent in one step: from and to each region, and how far in all.
+struct Sent {
+  Expressions in, out;
+  Expression km;
+};
+
+// Writes down the problem that stands on top of formulation.hpp, equation by equation.
 class Formulator {
  public:
   Formulator(const BalancingParameters& parameters, const PlanningData& data, const FormulationOptions& options)
@@ -36,9 +42,9 @@ class Formulator {
         data_(data),
         model_(uncertainty_model(parameters, data, options)),
         shortage_(parameters, data, options, model_, program_),
-        size_(static_cast<int>(data.km.rows())),
-        horizon_(static_cast<int>(data.points.cols())) {
-    for (int i = 0; i < size_; ++i) {
+        N_(static_cast<int>(data.km.rows())),
+        tau_(static_cast<int>(data.points.cols())) {
+    for (int i = 0; i < N_; ++i) {
       station_.push_back(data.points.row(i).maxCoeff() > 0.0);
     }
     vacant_arcs_ = vacant_arcs(data.km, p_.m1, p_.neighbours);
@@ -48,15 +54,15 @@ class Formulator {
   Formulation formulate() {
     Stock stock{constants(data_.state.vacant), constants(data_.state.occupied), constants(data_.state.low_battery),
                 constants(data_.state.plugged)};
-    for (int k = 0; k < horizon_; ++k) {
+    for (int k = 0; k < tau_; ++k) {
       Step step;
-      step.S = send("x", "S", k, vacant_arcs_, stock.V, 1.0, result_.vacant);
-      step.Y = send("y", "Y", k, low_battery_arcs_, stock.L, p_.beta, result_.low_battery);
+      step.S = send_vacant(k, stock.V);
+      step.Y = send_low_battery(k, stock.L);
       charge(k, stock, step);
       shortage_.add(k, step.S);
       utilisation(k, step);
-      if (k + 1 < horizon_) {
-        stock = next(k, stock, step);
+      if (k + 1 < tau_) {
+        stock = next_stock(k, stock, step);
       }
     }
     worst_case_utilisation();
@@ -64,62 +70,71 @@ class Formulator {
   }
 
  private:
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-  Variables block(const std::string& name, int k, double lower = 0.0) {
-    return program_.add_block(label(name, k), size_, lower);
+  // S_i = V_i + sum_j x_ji - sum_j x_ij,    sum_j x_ij <= V_i,    cost: sum w x
+  Variables send_vacant(int k, const Expressions& V) {
+    const Variables S = program_.add_block({"S", k}, N_, -ConvexProgram::infinity);
+    const Sent x = send("x", k, vacant_arcs_, V, result_.vacant);
+    for (int i = 0; i < N_; ++i) {
+      program_.add(S[i] == V[i] + x.in[i] - x.out[i], {"supply", k, i});
+      program_.add(x.out[i] <= V[i], {"sent", k, i});
+    }
+    program_.minimise("km", x.km);
+    return S;
   }
 
-  // S_i = V_i + sum_j x_ji - sum_j x_ij,    sum_j x_ij <= V_i,    cost: price sum w x.     Likewise Y, L, y.
-  Variables send(const std::string& name, const std::string& after_name, int k, const std::vector<Arc>& arcs,
-                 const Expressions& stock, double price, std::vector<std::vector<ArcFlow>>& flows) {
-    Variables after = block(after_name, k, -ConvexProgram::infinity);
-    Expressions in(at(size_));
-    Expressions out(at(size_));
-    Expression km;
+  // Y_i = L_i + sum_j y_ji - sum_j y_ij,    sum_j y_ij <= L_i,    cost: beta sum w y
+  Variables send_low_battery(int k, const Expressions& L) {
+    const Variables Y = program_.add_block({"Y", k}, N_, -ConvexProgram::infinity);
+    const Sent y = send("y", k, low_battery_arcs_, L, result_.low_battery);
+    for (int i = 0; i < N_; ++i) {
+      program_.add(Y[i] == L[i] + y.in[i] - y.out[i], {"low-battery", k, i});
+      program_.add(y.out[i] <= L[i], {"sent to charge", k, i});
+    }
+    program_.minimise("km", p_.beta * y.km);
+    return Y;
+  }
+
+  // One variable per arc that leaves a region with vehicles.
+  Sent send(const char* name, int k, const std::vector<Arc>& arcs, const Expressions& stock,
+            std::vector<std::vector<ArcFlow>>& flows) {
+    Sent sent{Expressions(stock.size()), Expressions(stock.size()), {}};
     auto& step_flows = flows.emplace_back();
     for (const auto& arc : arcs) {
-      if (is_zero(stock[at(arc.from)])) {
+      if (is_zero(stock[arc.from])) {
         continue;
       }
-      const Variable x = program_.add_block(label(name, k), 1).front();
-      step_flows.push_back({arc, x});
-      out[at(arc.from)] += x;
-      in[at(arc.to)] += x;
-      km.add(arc.km, x);
+      const Variable amount = program_.add_variable({name, k, arc.from, arc.to});
+      step_flows.push_back({arc, amount});
+      sent.out[arc.from] += amount;
+      sent.in[arc.to] += amount;
+      sent.km.add(arc.km, amount);
     }
-    for (int i = 0; i < size_; ++i) {
-      program_.equal(after[at(i)], stock[at(i)] + in[at(i)] - out[at(i)]);
-      program_.at_most(out[at(i)], stock[at(i)]);
-    }
-    program_.minimise(price * km);
-    return after;
+    return sent;
   }
 
-  // u_i <= Y_i,   u_i <= P_i - B_i + e_i + z_i   (u_i = 0 outside C),      e_i <= B_i,   e_i <= c_low_i
+  // u_i <= Y_i,   u_i <= P_i - B_i + e_i + z_i   (u_i = z_i = 0 outside C),      e_i <= B_i,   e_i <= c_low_i
   // cost: omega sum_i (Y_i - u_i) + pi_e sum_i (c_low_i - e_i), and z above any gain from u
   void charge(int k, const Stock& stock, Step& step) {
     constexpr double z_price = 1000.0;
-    step.u = block("u", k);
-    step.e = block("e", k);
-    const Variables z = block("z", k);
-    for (int i = 0; i < size_; ++i) {
-      const Expression& B = stock.B[at(i)];
-      const Expression e = step.e[at(i)];
-      const Expression u = step.u[at(i)];
-      const Expression Y = step.Y[at(i)];
+    const Expressions& B = stock.B;
+    const Variables& Y = step.Y;
+    const Variables u = step.u = program_.add_block({"u", k}, N_);
+    const Variables e = step.e = program_.add_block({"e", k}, N_);
+    const Variables z = program_.add_block({"z", k}, N_);
+    for (int i = 0; i < N_; ++i) {
       const double c_low = model_.c_low(i, k);
-      program_.bound(step.e[at(i)], 0.0, is_zero(B) ? 0.0 : c_low);
-      program_.at_most(e, B);
-      if (station_[at(i)]) {
-        program_.at_most(u, Y);
-        program_.at_most(u, data_.points(i, k) - B + e + z[at(i)]);
+      program_.bound(e[i], 0.0, is_zero(B[i]) ? 0.0 : c_low);
+      program_.add(e[i] <= B[i], {"released", k, i});
+      if (station_[i]) {
+        program_.add(u[i] <= Y[i], {"plugged in", k, i});
+        program_.add(u[i] <= data_.points(i, k) - B[i] + e[i] + z[i], {"points", k, i});
       } else {
-        program_.bound(step.u[at(i)], 0.0, 0.0);
-        program_.bound(z[at(i)], 0.0, 0.0);
+        program_.bound(u[i], 0.0, 0.0);
+        program_.bound(z[i], 0.0, 0.0);
       }
-      program_.minimise(p_.omega * (Y - u) + p_.pi_e * (c_low - e));
-      program_.penalise(z_price * Expression(z[at(i)]));
+      program_.minimise("queue", p_.omega * (Y[i] - u[i]));
+      program_.minimise("release", p_.pi_e * (c_low - e[i]));
+      program_.penalise(z_price * z[i]);
     }
   }
 
@@ -127,12 +142,13 @@ class Formulator {
   void utilisation(int k, const Step& step) {
     const double theta = p_.theta_0 / p_.a;
     const auto power = inverse_power(p_.eps, p_.a);
-    for (int i = 0; i < size_; ++i) {
+    for (int i = 0; i < N_; ++i) {
       const double c_hat = model_.c_hat(i, k);
       if (theta == 0.0 || data_.points(i, k) <= 0.0 || (c_hat == 0.0 && model_.supply_radius == 0.0)) {
         continue;
       }
-      utilised_.push_back({k * size_ + i, program_.minimise_curve(label("Z", k), theta * c_hat, step.Y[at(i)], power)});
+      const Variable Z = program_.minimise_curve("utilisation", theta * c_hat, step.Y[i], power, {"Z", k, i});
+      utilised_.push_back({k * N_ + i, Z});
     }
   }
 
@@ -143,46 +159,47 @@ class Formulator {
       return;
     }
     const auto& set = supply_of(p_, data_);
-    const auto count = static_cast<Eigen::Index>(utilised_.size());
+    const auto count = std::ssize(utilised_);
     NormTerm norm{weight, {}, Eigen::VectorXd(count), Eigen::MatrixXd(count, set.factors.cols())};
     for (Eigen::Index n = 0; n < count; ++n) {
-      const auto& [entry, Z] = utilised_[static_cast<std::size_t>(n)];
+      const auto& [entry, Z] = utilised_[n];
       norm.variables.push_back(Z.index);
       norm.deviation(n) = set.deviation(entry);
       norm.factors.row(n) = set.factors.row(entry);
     }
-    program_.minimise_norm(std::move(norm));
+    program_.minimise_norm("utilisation", std::move(norm));
   }
 
-  // V+_i = sum_j Pv_ji S_j + sum_j Qv_ji O_j + e_i + aV+_i          L+_i = Y_i - u_i + sum_j Pl_ji S_j + aL+_i
-  // O+_i = sum_j Po_ji S_j + sum_j Qo_ji O_j                        B+_i = B_i + u_i - e_i
-  Stock next(int k, const Stock& stock, const Step& step) {
-    const auto& move = data_.transitions[at(k)];
+  // V+_i = sum_j Pv_ji S_j + sum_j Qv_ji O_j + e_i + aV_i          L+_i = Y_i - u_i + sum_j Pl_ji S_j + aL_i
+  // O+_i = sum_j Po_ji S_j + sum_j Qo_ji O_j                       B+_i = B_i + u_i - e_i
+  Stock next_stock(int k, const Stock& stock, const Step& step) {
+    const auto& [Pv, Po, Pl, Qv, Qo] = data_.transitions[k];
+    const auto& [S, Y, u, e] = step;
     Stock next;
-    const bool occupied_matter = k + 2 < horizon_;  // they come back as vacant one step later
-    for (int i = 0; i < size_; ++i) {
-      Expression V = Expression(step.e[at(i)]) + data_.state.arriving_vacant(i, k);
+    const bool occupied_matter = k + 2 < tau_;  // they come back as vacant one step later
+    for (int i = 0; i < N_; ++i) {
+      Expression V = e[i] + data_.state.arriving_vacant(i, k);
       Expression O;
-      Expression L = Expression(step.Y[at(i)]) - step.u[at(i)] + data_.state.arriving_low_battery(i, k);
-      for (int j = 0; j < size_; ++j) {
-        V.add(move.vacant_to_vacant(j, i), step.S[at(j)]).add(move.occupied_to_vacant(j, i), stock.O[at(j)]);
-        L.add(move.vacant_to_low_battery(j, i), step.S[at(j)]);
+      Expression L = Y[i] - u[i] + data_.state.arriving_low_battery(i, k);
+      for (int j = 0; j < N_; ++j) {
+        V.add(Pv(j, i), S[j]).add(Qv(j, i), stock.O[j]);
+        L.add(Pl(j, i), S[j]);
         if (occupied_matter) {
-          O.add(move.vacant_to_occupied(j, i), step.S[at(j)]).add(move.occupied_to_occupied(j, i), stock.O[at(j)]);
+          O.add(Po(j, i), S[j]).add(Qo(j, i), stock.O[j]);
         }
       }
-      next.V.push_back(named("V", k + 1, V));
-      next.L.push_back(named("L", k + 1, L));
-      next.O.push_back(occupied_matter ? named("O", k + 1, O) : O);
-      next.B.push_back(named("B", k + 1, stock.B[at(i)] + step.u[at(i)] - step.e[at(i)]));
+      next.V.push_back(variable_for(V, {"V", k + 1, i}));
+      next.L.push_back(variable_for(L, {"L", k + 1, i}));
+      next.O.push_back(occupied_matter ? variable_for(O, {"O", k + 1, i}) : O);
+      next.B.push_back(variable_for(stock.B[i] + u[i] - e[i], {"B", k + 1, i}));
     }
     return next;
   }
 
   // A variable that stands for a long expression, so that each row stays short.
-  Variable named(const std::string& name, int k, const Expression& expression) {
-    const Variable variable = program_.add_block(label(name, k), 1, -ConvexProgram::infinity).front();
-    program_.equal(variable, expression);
+  Expression variable_for(const Expression& expression, const Name& name) {
+    const Variable variable = program_.add_variable(name, -ConvexProgram::infinity);
+    program_.add(variable == expression, name);
     return variable;
   }
 
@@ -197,8 +214,8 @@ class Formulator {
   ConvexProgram& program_ = result_.program;
   UncertaintyModel model_;
   ShortageTerms shortage_;
-  int size_;
-  int horizon_;
+  int N_;
+  int tau_;
   std::vector<bool> station_;  // C: points work at some step of the horizon
   std::vector<Arc> vacant_arcs_;
   std::vector<Arc> low_battery_arcs_;

@@ -4,12 +4,13 @@
 
 namespace evbal {
 
-/// No balancing: low-battery cars go to the nearest region with working points and stay there (model, section 4).
+/// No balancing: low-battery cars go to the nearest region with working points and stay there (docs/model.md, section
+/// 4).
 Dispatch plan_none(const PlanningData& data);
 
-/// The dispatcher's rule of thumb (model, section 4). Vacant cars: the nearest pair of a region with cars to spare and
-/// a region that lacks some, again and again, within `m1`; what is under way counts. Low-battery cars: one by one to
-/// the station of least travel minutes + expected wait within `m2`, those in the queue included.
+/// The dispatcher's rule of thumb (docs/model.md, section 4). Vacant cars: the nearest pair of a region with cars to
+/// spare and a region that lacks some, again and again, within `m1`; what is under way counts. Low-battery cars: one by
+/// one to the station of least travel minutes + expected wait within `m2`, those in the queue included.
 Dispatch plan_greedy(const BalancingParameters& parameters, const PlanningData& data);
 
 }  // namespace evbal

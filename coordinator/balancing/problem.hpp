@@ -11,13 +11,13 @@
 
 namespace evbal {
 
-/// What J_E takes the supply of charging to be (model, section 4).
+/// What J_E takes the supply of charging to be (docs/model.md, section 4).
 enum class Supply {
   completions,  ///< charging sessions that end in the step, as the paper
   points,       ///< points free by the step's end: those free now, and plugged cars that finish
 };
 
-/// Prices and bounds of the balancing problem (model, sections 2 and 4), tuned on tuning seeds only.
+/// Prices and bounds of the balancing problem (docs/model.md, sections 2 and 4), tuned on tuning seeds only.
 struct BalancingParameters {
   double a = 0.1;            ///< power of the utilisation term J_E; smaller equalises more
   double theta_0 = 20.0;     ///< weight of J_E is theta_0 / a
@@ -48,8 +48,8 @@ struct FleetState {
   Eigen::MatrixXd dropoffs_due;          ///< N x tau: of the occupied cars, those that arrive in step k
 };
 
-/// Row-stochastic transitions of one step (model, section 2): entry (j, i) is the share of the vehicles of j that
-/// are in i, in the new state, one step later.  rows of Pv + Po + Pl and of Qv + Qo sum to one.
+/// Row-stochastic transitions of one step (docs/model.md, section 2): entry (j, i) is the share of the vehicles of j
+/// that are in i, in the new state, one step later.  rows of Pv + Po + Pl and of Qv + Qo sum to one.
 struct Transitions {
   Eigen::MatrixXd vacant_to_vacant;       ///< Pv
   Eigen::MatrixXd vacant_to_occupied;     ///< Po, i = destination
@@ -94,9 +94,14 @@ struct Dispatch {
   std::vector<std::vector<Flow>> low_battery;  ///< y, by (from, to)
 };
 
+/// A plan and what it is worth.
 struct BalancingResult {
   Dispatch dispatch;
   Certificate certificate;
+  /// The objective by term, in km of empty driving, as formulation.hpp names them: "km", "queue", "release",
+  /// "shortage", "surplus", "utilisation", "penalty". They sum to certificate.objective but for rounding; none if
+  /// nothing was solved.
+  std::vector<CostTerm> cost;
 };
 
 }  // namespace evbal

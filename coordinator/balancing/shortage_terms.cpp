@@ -40,10 +40,10 @@ double ShortageTerms::l(int k) const {
 
 // p_s E[max(0, r_i - h S_i)] + p_o E[max(0, l S_i - r_i)]
 void ShortageTerms::band(int k, const Variables& S) {
-  for (std::size_t i = 0; i < S.size(); ++i) {
-    const auto entry = static_cast<std::size_t>(k) * S.size() + i;
-    expected_shortage("shortage", k, p_.p_shortage, model_.shortage[entry], h(k) * Expression(S[i]));
-    expected_shortage("surplus", k, p_.p_surplus, mirrored(model_.surplus[entry]), -l(k) * Expression(S[i]));
+  for (int i = 0; i < S.size(); ++i) {
+    const int entry = k * S.size() + i;
+    expected_shortage({"shortage", k, i}, p_.p_shortage, model_.shortage[entry], h(k) * S[i]);
+    expected_shortage({"surplus", k, i}, p_.p_surplus, mirrored(model_.surplus[entry]), -l(k) * S[i]);
   }
 }
 
@@ -53,57 +53,57 @@ void ShortageTerms::moments(int k, const Variables& S) {
   constexpr double least = 0.1;  // vehicles, so that psi bends no more sharply than an engine can follow
   const Eigen::VectorXd deviation = set.standard_deviation().cwiseMax(least);
   const Eigen::MatrixXd sigma = deviation.reshaped(model_.r_hat.rows(), model_.r_hat.cols());
-  for (std::size_t at = 0; at < S.size(); ++at) {
-    const auto i = static_cast<Eigen::Index>(at);
+  for (int i = 0; i < S.size(); ++i) {
     const double r_hat = model_.r_hat(i, k);
     const auto psi = worst_case_shortage(sigma(i, k), set.g1, set.g2);
-    curve("shortage", k, p_.p_shortage, S[at], of_line(psi, h(k), -r_hat));
-    curve("surplus", k, p_.p_surplus, S[at], of_line(psi, -l(k), r_hat));
+    curve({"shortage", k, i}, p_.p_shortage, S[i], of_line(psi, h(k), -r_hat));
+    curve({"surplus", k, i}, p_.p_surplus, S[i], of_line(psi, -l(k), r_hat));
   }
 }
 
 // p_r r_hat_i / (S_i + 1/2)
 void ShortageTerms::ratio(int k, const Variables& S) {
   const auto reciprocal = inverse_power(0.5, 1.0);
-  for (std::size_t i = 0; i < S.size(); ++i) {
-    const double r_hat = model_.r_hat(static_cast<Eigen::Index>(i), k);
-    curve("ratio", k, p_.p_ratio * r_hat, S[i], reciprocal);
+  for (int i = 0; i < S.size(); ++i) {
+    curve({"shortage", k, i}, p_.p_ratio * model_.r_hat(i, k), S[i], reciprocal);
   }
 }
 
 // p_s E[max(0, r_i - S_i - phi (1 - pl_i) A_i)]
 void ShortageTerms::turnover(int k, const Variables& S) {
-  for (std::size_t i = 0; i < S.size(); ++i) {
-    const auto entry = static_cast<std::size_t>(k) * S.size() + i;
-    const double again = model_.serving_again(static_cast<Eigen::Index>(i), k);
-    expected_shortage("shortage", k, p_.p_shortage, model_.shortage[entry], Expression(S[i]) + again);
+  for (int i = 0; i < S.size(); ++i) {
+    const int entry = k * S.size() + i;
+    expected_shortage({"shortage", k, i}, p_.p_shortage, model_.shortage[entry], S[i] + model_.serving_again(i, k));
   }
 }
 
-void ShortageTerms::curve(const char* name, int k, double price, Variable of, const ConvexFunctionPtr& function) {
+// price function(of)
+void ShortageTerms::curve(const Name& name, double price, Variable of, const ConvexFunctionPtr& function) {
   if (price > 0.0) {
-    program_.minimise_curve(label(name, k), price, of, function);
+    program_.minimise_curve(name.what, price, of, function, name);
   }
 }
 
 // price E[max(0, r - s)]  =  price min sum_m P(r >= v_m) part_m    over    sum_m part_m >= v_M - s,
 // part_m <= v_m - v_(m-1):  what is missing, from the part that is least likely to be missed.
-void ShortageTerms::expected_shortage(const char* name, int k, double price, const DiscreteDistribution& law,
+void ShortageTerms::expected_shortage(const Name& name, double price, const DiscreteDistribution& law,
                                       const Expression& s) {
   if (price == 0.0) {
     return;
   }
   const auto& v = law.values;
-  const Variables parts = program_.add_block(label(name, k), static_cast<int>(v.size()));
+  const Variables parts = program_.add_block(name, static_cast<int>(v.size()));
   Expression missing;
+  Expression cost;
   double probability = 1.0;
-  for (std::size_t m = 0; m < v.size(); ++m) {
+  for (int m = 0; m < parts.size(); ++m) {
     missing += parts[m];
-    program_.minimise(price * probability * Expression(parts[m]));
+    cost.add(price * probability, parts[m]);
     program_.bound(parts[m], 0.0, m == 0 ? ConvexProgram::infinity : v[m] - v[m - 1]);
     probability = std::max(0.0, probability - law.probabilities[m]);
   }
-  program_.at_most(v.back() - s, missing);
+  program_.minimise(name.what, cost);
+  program_.add(v.back() - s <= missing, name);
 }
 
 }  // namespace evbal

@@ -6,14 +6,15 @@
 
 namespace evbal {
 
-/// The price of too few, and of too many, vehicles in the regions (model, sections 3 and 4).
+/// The price of too few vehicles in the regions, the cost term "shortage", and of too many, "surplus": what sets the
+/// controllers apart (docs/model.md, sections 3 and 4). FormulationOptions::shortage chooses the form.
 class ShortageTerms {
  public:
   /// Everything given must outlive this.
   ShortageTerms(const BalancingParameters& parameters, const PlanningData& data, const FormulationOptions& options,
                 const UncertaintyModel& model, ConvexProgram& program);
 
-  /// Adds the terms of step k; `S` holds the vehicles of every region.
+  /// Adds the terms of step k to the program; `S` are the vacant vehicles of every region after dispatch.
   void add(int k, const Variables& S);
 
  private:
@@ -23,8 +24,8 @@ class ShortageTerms {
   void moments(int k, const Variables& S);
   void ratio(int k, const Variables& S);
   void turnover(int k, const Variables& S);
-  void curve(const char* name, int k, double price, Variable of, const ConvexFunctionPtr& function);
-  void expected_shortage(const char* name, int k, double price, const DiscreteDistribution& law, const Expression& s);
+  void curve(const Name& name, double price, Variable of, const ConvexFunctionPtr& function);
+  void expected_shortage(const Name& name, double price, const DiscreteDistribution& law, const Expression& s);
 
   const BalancingParameters& p_;
   const PlanningData& data_;

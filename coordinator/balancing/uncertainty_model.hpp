@@ -11,7 +11,7 @@
 
 namespace evbal {
 
-/// How too few (and too many) vehicles in a region are priced (model, sections 3 and 4).
+/// How too few (and too many) vehicles in a region are priced (docs/model.md, sections 3 and 4).
 enum class Shortage {
   band,      ///< vehicles missing below the band and in excess above it, in expectation
   moments,   ///< the same, in the worst expectation over the ambiguity set
@@ -30,12 +30,12 @@ enum class Uncertainty {
 
 struct UncertaintyModel;
 
-/// Adds a price of shortages to the program: that of step k, where the regions have `S` vehicles after dispatch. The
-/// price must be convex in S.
+/// Adds the price of shortages in step k to the program; `S` are the vacant vehicles of the regions after dispatch, and
+/// the price is convex in them.
 using OwnShortage =
     std::function<void(int k, const Variables& S, const UncertaintyModel& model, ConvexProgram& program)>;
 
-/// How the controllers of one problem differ (model, section 4).
+/// How the controllers of one problem differ (docs/model.md, section 4).
 struct FormulationOptions {
   Shortage shortage = Shortage::band;
   Uncertainty demand = Uncertainty::mean;
@@ -57,15 +57,16 @@ struct UncertaintyModel {
 /// The supply of charging that `parameters` choose.
 const MomentSet& supply_of(const BalancingParameters& parameters, const PlanningData& data);
 
-/// Reads the options (model, sections 3 and 4): with  g = min(g1, g2)  the worst mean of one entry is
-/// mean +- sqrt(g) sigma.  Laws are left out where `Shortage` has no use for them.
+/// The forecasts under these options (docs/model.md, sections 3 and 4): with  g = min(g1, g2)  the worst mean of one
+/// entry is  mean +- sqrt(g) sigma.  Laws that options.shortage has no use for are left out.
 UncertaintyModel uncertainty_model(const BalancingParameters& parameters, const PlanningData& data,
                                    const FormulationOptions& options);
 
-/// Vacant vehicles at the start of each step if nobody is sent anywhere, N x tau; the dynamics of model, section 2.
+/// Vacant vehicles at the start of each step if nobody is sent anywhere, N x tau; the dynamics of docs/model.md,
+/// section 2.
 Eigen::MatrixXd vacant_without_dispatch(const PlanningData& data, const Eigen::MatrixXd& c_low);
 
-/// rho_k, the city's predicted demand per vacant vehicle without dispatch (model, section 2), tau values.
+/// rho_k, the city's predicted demand per vacant vehicle without dispatch (docs/model.md, section 2), tau values.
 Eigen::VectorXd demand_per_vehicle(const PlanningData& data, const UncertaintyModel& model);
 
 }  // namespace evbal

@@ -7,6 +7,7 @@ namespace evbal {
 /// A convex function of one variable with two derivatives; engines see nothing else of it.
 class ConvexFunction {
  public:
+  /// The function near a point.
   struct Expansion {
     double value = 0.0;
     double slope = 0.0;
@@ -18,13 +19,13 @@ class ConvexFunction {
   ConvexFunction& operator=(const ConvexFunction&) = delete;
   virtual ~ConvexFunction() = default;
 
-  /// The function around `at`, which lies within the bounds of the variable that it is used on.
+  /// Value and derivatives at `at`, which lies within the bounds of the variable that the function is used on.
   virtual Expansion around(double at) const = 0;
 };
 
 using ConvexFunctionPtr = std::shared_ptr<const ConvexFunction>;
 
-/// y -> (y + eps)^(-a) for y >= 0 (model, section 2; paper, [quality_charging_one]); a > 0, eps > 0.
+/// y -> (y + eps)^(-a) for y >= 0 (docs/model.md, section 2; paper, [quality_charging_one]); a > 0, eps > 0.
 ConvexFunctionPtr inverse_power(double eps, double a);
 
 /// x -> f(slope x + offset)

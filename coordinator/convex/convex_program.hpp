@@ -1,50 +1,16 @@
 #pragma once
 
 #include "coordinator/convex/convex_function.hpp"
+#include "coordinator/convex/expression.hpp"
 
 #include <Eigen/Core>
 
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace evbal {
-
-/// A variable of a ConvexProgram, by its position.
-struct Variable {
-  int index = 0;
-};
-
-using Variables = std::vector<Variable>;
-
-/// constant + sum of coefficient * variable. Written like the equations of the model.
-class Expression {
- public:
-  struct Term {
-    int variable = 0;
-    double coefficient = 0.0;
-  };
-
-  Expression(double constant = 0.0) : constant_(constant) {}
-  Expression(Variable variable) : terms_{{variable.index, 1.0}} {}
-
-  /// Adds `coefficient * other`; a coefficient of zero adds nothing.
-  Expression& add(double coefficient, const Expression& other);
-
-  Expression& operator+=(const Expression& other) { return add(1.0, other); }
-  Expression& operator-=(const Expression& other) { return add(-1.0, other); }
-
-  const std::vector<Term>& terms() const { return terms_; }
-  double constant() const { return constant_; }
-
- private:
-  std::vector<Term> terms_;
-  double constant_ = 0.0;
-};
-
-Expression operator+(Expression left, const Expression& right);
-Expression operator-(Expression left, const Expression& right);
-Expression operator*(double factor, const Expression& expression);
 
 /// weight * || Sigma^(1/2) Z ||  with  Sigma = diag(deviation)^2 + factors factors'.
 struct NormTerm {
@@ -67,46 +33,73 @@ struct CurveRow {
   ConvexFunctionPtr function;
 };
 
-/// "S2" for the block S of the second step (k = 1).
-std::string label(std::string name, int k);
+/// How far a point is from satisfying a program, and where: "supply[3], step 1", "upper bound of u[0], step 0",
+/// "curve of Z[2], step 1".
+struct Violation {
+  double amount = 0.0;  ///< infinite where something is not a finite number
+  std::string where;    ///< empty if the amount is 0
+  std::string unit;     ///< of the amount: the program's, but for curves
+};
+
+/// A part of the objective, and its value at some point.
+struct CostTerm {
+  std::string name;
+  double cost = 0.0;
+};
 
 /// A convex program, for whichever engine:
 ///
 ///     min  constant + cost'x + sum of norms    s.t.  low <= A x <= high,  lower <= x <= upper,  curve rows
+///
+/// It is written like the equations of a model, by expressions, their comparisons, and names for messages:
+///
+///     const Variables S = program.add_block({"S", k}, N);
+///     program.add(S[i] == V[i] + in[i] - out[i], {"supply", k, i});
+///     program.minimise("km", km);
 ///
 /// Rows are sparse, stored one after another with ascending variables.
 class ConvexProgram {
  public:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
+  /// Variables added together.
   struct Block {
-    std::string name;
+    Name name;  ///< of the first; the others of several count on from it
     int first = 0;
     int size = 0;
   };
 
-  /// `size` new variables within [lower, upper]; the name serves messages.
-  Variables add_block(const std::string& name, int size, double lower = 0.0, double upper = infinity);
+  /// `unit` is what variables and rows are measured in, for messages: "vehicles".
+  explicit ConvexProgram(std::string unit = "") : unit_(std::move(unit)) {}
 
-  /// Tightens the bounds of a variable.
+  /// A new variable within [lower, upper].
+  Variable add_variable(const Name& name, double lower = 0.0, double upper = infinity);
+
+  /// `size` new variables within [lower, upper].
+  Variables add_block(const Name& name, int size, double lower = 0.0, double upper = infinity);
+
+  /// Tightens the bounds of a variable; those that it has leave some of [lower, upper].
   void bound(Variable variable, double lower, double upper);
 
-  void equal(const Expression& left, const Expression& right);
-  void at_most(const Expression& left, const Expression& right);
+  /// Adds a row, unless it holds whatever the variables are.
+  void add(const Constraint& constraint, const Name& name = "a row");
 
   /// above >= function(of), where `of` has a finite lower bound in the function's domain, and `above` stands above no
   /// other curve and has no bound that would keep it from the curve.
   void at_least_curve(Variable above, Variable of, ConvexFunctionPtr function);
 
-  void minimise(const Expression& cost);
+  /// Adds to the objective. `term` says which part of it this is.
+  void minimise(std::string_view term, const Expression& cost);
 
-  /// Adds  price * function(of)  over  of >= 0  to the cost; gives the variable that stands for the function's value.
-  Variable minimise_curve(const std::string& name, double price, Variable of, ConvexFunctionPtr function);
+  /// Adds  price * function(of)  over  of >= 0  to the objective; gives the variable, called `name`, that stands for
+  /// the function's value.
+  Variable minimise_curve(std::string_view term, double price, Variable of, ConvexFunctionPtr function,
+                          const Name& name);
 
-  /// Cost that keeps the program feasible; left out of the scale of a relative gap.
+  void minimise_norm(std::string_view term, NormTerm norm);
+
+  /// Cost that keeps the program feasible, the term "penalty"; left out of the scale of a relative gap.
   void penalise(const Expression& cost);
-
-  void minimise_norm(NormTerm term);
 
   int variables() const { return static_cast<int>(cost_.size()); }
   int rows() const { return static_cast<int>(row_low_.size()); }
@@ -122,29 +115,46 @@ class ConvexProgram {
   const std::vector<CurveRow>& curves() const { return curves_; }
   const std::vector<NormTerm>& norms() const { return norms_; }
 
+  Name name_of(Variable variable) const;
+  const Name& name_of_row(int row) const { return row_names_[row]; }
+
   double objective(const Eigen::VectorXd& x) const;
+
+  /// The objective by term, in the order in which terms were first named, a penalty last. The sum is objective(x) but
+  /// for rounding.
+  std::vector<CostTerm> cost_by_term(const Eigen::VectorXd& x) const;
 
   /// The part of the objective that penalise() put there.
   double penalty(const Eigen::VectorXd& x) const;
 
-  /// Largest violation of any bound, row or curve row; infinite if x is not finite.
-  double violation(const Eigen::VectorXd& x) const;
+  /// The worst violation of any bound, row or curve row.
+  Violation violation(const Eigen::VectorXd& x) const;
 
  private:
-  void add_row(double low, const Expression& expression, double high);
+  /// What minimise() was told under one name.
+  struct Term {
+    std::string name;
+    Expression cost;
+    std::vector<int> norms;
+  };
+
+  Term& term(std::string_view name);
   void add_cost(const Expression& cost);
 
+  std::string unit_;
   std::vector<Block> blocks_;
   std::vector<double> lower_;
   std::vector<double> upper_;
   std::vector<double> cost_;
   double constant_ = 0.0;
+  std::vector<Name> row_names_;
   std::vector<int> row_start_ = {0};
   std::vector<Expression::Term> entries_;
   std::vector<double> row_low_;
   std::vector<double> row_high_;
   std::vector<CurveRow> curves_;
   std::vector<NormTerm> norms_;
+  std::vector<Term> terms_;
   Expression penalty_;
 };
 

@@ -31,16 +31,16 @@ Ladder::Ladder(std::string controller, Balancer balancer)
 
 Decision Ladder::decide(const PlanningData& data, const EngineSettings& engine) {
   BalancingResult first = balancer_(controller_, data, engine);
-  if (first.certificate.optimal) {
+  if (first.certificate.optimal()) {
     return solved(std::move(first), FallbackLevel::none, "");
   }
-  std::string reason = controller_ + ": " + first.certificate.why_not;
+  std::string reason = controller_ + ": " + first.certificate.reason;
   if (controller_ != nominal) {
     BalancingResult second = balancer_(nominal, data, engine);
-    if (second.certificate.optimal) {
+    if (second.certificate.optimal()) {
       return solved(std::move(second), FallbackLevel::nominal, std::move(reason));
     }
-    reason += "; " + nominal + ": " + second.certificate.why_not;
+    reason += "; " + nominal + ": " + second.certificate.reason;
   }
   return unsolved(data, reason);
 }

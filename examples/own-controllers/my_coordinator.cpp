@@ -14,10 +14,10 @@ BalancingResult attentive(const BalancingParameters& parameters, PlanningData da
 
 // Passengers wait the longer, the fewer vehicles there are:  r_hat_i^2 / (S_i + 1)  in every region, an own shortage.
 void wait(int k, const Variables& S, const UncertaintyModel& model, ConvexProgram& program) {
-  for (int i = 0; i < static_cast<int>(S.size()); ++i) {
+  for (int i = 0; i < S.size(); ++i) {
     const double r_hat = model.r_hat(i, k);
     if (r_hat > 0.0) {
-      program.minimise_curve(label("wait", k), r_hat * r_hat, S[i], inverse_power(1.0, 1.0));
+      program.minimise_curve("wait", r_hat * r_hat, S[i], inverse_power(1.0, 1.0), {"wait", k, i});
     }
   }
 }

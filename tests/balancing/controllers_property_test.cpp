@@ -16,7 +16,7 @@ namespace {
 double optimum(const std::string& controller, const PlanningData& data, const BalancingParameters& parameters) {
   const EngineSettings engine{.name = *rc::gen::elementOf(engine_names())};
   const auto certificate = balance(controller, parameters, data, engine).certificate;
-  RC_ASSERT(certificate.optimal);
+  RC_ASSERT(certificate.optimal());
   return certificate.objective;
 }
 
@@ -86,6 +86,22 @@ RC_GTEST_PROP(ControllersProperty, NamesOfRegionsDoNotMatter, ()) {
   const double expected = optimum(controller, data, parameters);
   RC_ASSERT(std::abs(optimum(controller, renamed(data, one), parameters) - expected) <=
             2e-6 * std::max(1.0, std::abs(expected)));
+}
+
+RC_GTEST_PROP(ControllersProperty, CostByTermIsTheObjective, ()) {
+  const auto data = any_data(*rc::gen::inRange(1, 3));
+  const auto parameters = any_parameters();
+  const auto controller = *rc::gen::elementOf(controller_names());
+  const EngineSettings engine{.name = *rc::gen::elementOf(engine_names())};
+  const auto result = balance(controller, parameters, data, engine);
+  RC_ASSERT(result.certificate.optimal());
+  double sum = 0.0;
+  for (const CostTerm& term : result.cost) {
+    RC_ASSERT(term.cost >= -1e-6);
+    sum += term.cost;
+  }
+  const double objective = result.certificate.objective;
+  RC_ASSERT(std::abs(sum - objective) <= 1e-9 * std::max(1.0, std::abs(objective)));
 }
 
 // Other units of length: km, reach and every price by one factor.

@@ -1,10 +1,13 @@
 // Controllers of a user's own, built from what evbal's are made of.
 
+#include "common/text_of_file.hpp"
 #include "coordinator/balancing/controllers.hpp"
+#include "tests/support/source_folder.hpp"
 #include "tools/samples/random_planning_data.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace evbal {
@@ -12,7 +15,7 @@ namespace {
 
 double objective(const Controller& controller, const PlanningData& data, const std::string& engine) {
   const auto certificate = balance(controller, {}, data, {.name = engine}).certificate;
-  EXPECT_TRUE(certificate.optimal) << certificate.why_not;
+  EXPECT_TRUE(certificate.optimal()) << certificate.reason;
   return certificate.objective;
 }
 
@@ -22,9 +25,8 @@ double objective(const std::string& controller, const PlanningData& data, const 
 
 TEST(OwnController, PricesShortageByATermOfItsOwn) {
   const auto price = [](int k, const Variables& S, const UncertaintyModel& model, ConvexProgram& program) {
-    for (std::size_t i = 0; i < S.size(); ++i) {
-      const double r_hat = model.r_hat(static_cast<Eigen::Index>(i), k);
-      program.minimise_curve(label("own", k), 30.0 * r_hat, S[i], inverse_power(0.5, 1.0));
+    for (int i = 0; i < S.size(); ++i) {
+      program.minimise_curve("own", 30.0 * model.r_hat(i, k), S[i], inverse_power(0.5, 1.0), {"own", k, i});
     }
   };
   const Controller own{"mine", optimum({.shortage = Shortage::own, .own = price})};
@@ -35,7 +37,7 @@ TEST(OwnController, PricesShortageByATermOfItsOwn) {
   }
 }
 
-TEST(OwnController, OfAnOwnTermSeesTheDemandAsItsSwitchSays) {
+TEST(OwnController, OfAnOwnTermSeesTheDemandAsItsOptionSays) {
   const auto data = random_planning_data(12, {.regions = 5});
   double seen = 0.0;
   const auto look = [&](int k, const Variables&, const UncertaintyModel& model, ConvexProgram&) {
@@ -68,12 +70,42 @@ TEST(OwnController, PlansByARule) {
                         }};
   auto data = random_planning_data(14, {.regions = 3});
   const auto result = balance(rule, {}, data, {});
-  EXPECT_TRUE(result.certificate.optimal);
+  EXPECT_TRUE(result.certificate.optimal());
   EXPECT_EQ(result.certificate.gap, 0.0);
   EXPECT_EQ(result.dispatch.vacant.front().front().amount, 2.0);
   data.state.vacant(1) = std::nan("");
-  EXPECT_TRUE(balance(rule, {}, data, {}).certificate.why_not.starts_with("vacant vehicles of region 1"))
+  EXPECT_TRUE(balance(rule, {}, data, {}).certificate.reason.starts_with("vacant vehicles of region 1"))
       << "is spared data that are none";
+}
+
+// A term of variables and rows of its own, as docs/your-own-controller.md writes one: the shortage at  r_hat.
+TEST(OwnController, WritesVariablesAndRows) {
+  const auto price = [](int k, const Variables& S, const UncertaintyModel& model, ConvexProgram& program) {
+    for (int i = 0; i < S.size(); ++i) {
+      const Variable missing = program.add_variable({"missing", k, i});
+      program.add(missing >= model.r_hat(i, k) - S[i], {"missing", k, i});
+      program.minimise("shortage", 12.0 * missing);
+    }
+  };
+  const Controller own{"mine", optimum({.shortage = Shortage::own, .own = price})};
+  const auto data = random_planning_data(15, {.regions = 1, .tau = 1});
+  const auto result = balance(own, {}, data, {.name = "cuts"});
+  const auto shortage = std::ranges::find(result.cost, "shortage", &CostTerm::name);
+  ASSERT_NE(shortage, result.cost.end());
+  EXPECT_NEAR(shortage->cost, 12.0 * std::max(0.0, data.demand.mean(0) - data.state.vacant(0)), 1e-6);
+}
+
+TEST(OwnController, IsShownOnItsPageAsItStandsInTheExample) {
+  const auto page = text_of_file(test::in_source("docs/your-own-controller.md"));
+  const auto example = text_of_file(test::in_source("examples/own-controllers/my_coordinator.cpp"));
+  const std::string open = "```cpp\n";
+  int blocks = 0;
+  for (auto at = page.find(open); at != std::string::npos; at = page.find(open, at + 1), ++blocks) {
+    const auto start = at + open.size();
+    const auto block = page.substr(start, page.find("```", start) - start);
+    EXPECT_NE(example.find(block), std::string::npos) << block;
+  }
+  EXPECT_EQ(blocks, 2);
 }
 
 }  // namespace

@@ -20,9 +20,9 @@ struct Scripted {
 
   BalancingResult operator()(const std::string& controller, const PlanningData&, const EngineSettings&) const {
     BalancingResult result;
-    result.certificate.optimal = !failing.contains(controller);
-    result.certificate.why_not = result.certificate.optimal ? "" : "iteration limit";
-    if (result.certificate.optimal) {
+    result.certificate.status = failing.contains(controller) ? SolveStatus::failed : SolveStatus::optimal;
+    result.certificate.reason = result.certificate.optimal() ? "" : "iteration limit";
+    if (result.certificate.optimal()) {
       result.certificate.objective = 5.0;
       result.dispatch.vacant = {{{0, 1, 2.0}}, {{0, 1, 4.0}}};
       result.dispatch.low_battery = {{{1, 0, 1.0}}, {}};

@@ -34,7 +34,7 @@ struct Spy {
   BalancingResult operator()(const std::string&, const PlanningData& data, const EngineSettings&) const {
     *seen = data;
     BalancingResult result;
-    result.certificate.optimal = true;
+    result.certificate.status = SolveStatus::optimal;
     return result;
   }
 };

@@ -157,7 +157,7 @@ TEST(RecedingHorizonPlanner, TakesOverFromAnother) {
   int solves = 0;
   const Balancer fails_from_the_fourth_on = [&solves](const std::string&, const PlanningData& data, const auto&) {
     BalancingResult result;
-    result.certificate.optimal = ++solves <= 3;
+    result.certificate.status = ++solves <= 3 ? SolveStatus::optimal : SolveStatus::failed;
     result.certificate.objective = data.demand.mean.sum();
     result.dispatch.vacant = {{{0, 1, 1.0 * solves}}, {{1, 2, 2.0}}, {{2, 0, 3.0}}};
     return result;

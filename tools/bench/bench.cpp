@@ -28,7 +28,7 @@ PlanningData city(int regions, int tau) {
 std::optional<Cost> by_engine(const std::string& engine, int regions, int tau) {
   const auto prepare = [&]() -> Work {
     return [engine, program = formulate({}, city(regions, tau), robust).program] {
-      return solve(program, {.name = engine}).certificate.optimal;
+      return solve(program, {.name = engine}).certificate.optimal();
     };
   };
   return measure(prepare, limit);

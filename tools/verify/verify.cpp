@@ -125,8 +125,8 @@ std::vector<Comparison> compare_engines() {
       const auto ipopt = balance(controller, {}, data, {.name = "ipopt"}).certificate;
       const std::string where = "seed " + std::to_string(seed);
       for (const auto* certificate : {&cuts, &ipopt}) {
-        if (!certificate->optimal) {
-          throw run_failed(comparison.what + ", " + where + ": " + certificate->why_not);
+        if (!certificate->optimal()) {
+          throw run_failed(comparison.what + ", " + where + ": " + certificate->reason);
         }
       }
       if (cuts.iterations > 0) {
