@@ -17,8 +17,10 @@ enum class ExitStatus {
 /// Programmer's errors never throw: they abort (common/contract.hpp).
 class Error : public std::runtime_error {
  public:
+  /// `status` is the exit status of a program that this error ends.
   Error(ExitStatus status, const std::string& message) : std::runtime_error(message), status_(status) {}
 
+  /// Exit status of a program that this error ends.
   ExitStatus status() const { return status_; }
 
  private:

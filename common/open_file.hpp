@@ -14,6 +14,7 @@ class OpenFile {
   OpenFile(const OpenFile&) = delete;
   OpenFile& operator=(const OpenFile&) = delete;
 
+  /// The file descriptor.
   int number() const { return number_; }
 
  private:

@@ -29,9 +29,9 @@ enum class Purpose : std::uint32_t {
 
 /// The place of a draw: who draws, when, and for which of several like things.
 struct StreamKey {
-  std::uint64_t region = 0;
-  std::uint64_t tick = 0;
-  std::uint64_t index = 0;
+  std::uint64_t region = 0;  ///< that it is drawn for
+  std::uint64_t tick = 0;    ///< that it is drawn in
+  std::uint64_t index = 0;   ///< among the draws of one region and tick
 };
 
 /// Counter-based random stream (Philox 4x64, Random123) keyed by (seed, purpose, region, tick, index).
@@ -39,8 +39,10 @@ struct StreamKey {
 /// every process, so no stream is ever shared. Distributions are written from the bits.
 class RandomStream {
  public:
+  /// Equal arguments give equal numbers.
   RandomStream(std::uint64_t seed, Purpose purpose, StreamKey key);
 
+  /// The next 64 random bits.
   std::uint64_t bits();
 
   /// Uniform on [0, 1), 53 bits.

@@ -21,6 +21,7 @@ class Workers {
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
 
+  /// Workers that are at work.
   std::size_t count() const { return workers_.size(); }
 
   /// Does `work` of the job in a new process. Throws Error{run_failed} if none can be started.

@@ -19,14 +19,15 @@ namespace evbal {
 /// Where a process stands on the bus of a run. Its UDP ports follow from domain and participant (RTPS, section 9.6.1),
 /// so no two processes of a host may share both.
 struct BusAddress {
-  static constexpr int conductor = 0;  ///< participants
-  static constexpr int coordinator = 1;
-  static constexpr int injector = 2;
-  static constexpr int first_agent = 3;
+  static constexpr int conductor = 0;    ///< participants
+  static constexpr int coordinator = 1;  ///< likewise
+  static constexpr int injector = 2;     ///< likewise
+  static constexpr int first_agent = 3;  ///< likewise; the other agents follow
 
   std::string run;  ///< id in every message; samples of other runs are dropped
+  /// DDS domain of the run.
   int domain = 0;
-  int participant = 0;
+  int participant = 0;   ///< number of this process in the domain
   int participants = 0;  ///< of the whole run
   bool apart = false;    ///< each agent on a host of its own, behind a network that may lose packets
 };
@@ -45,6 +46,7 @@ class Participant {
   Participant(const Participant&) = delete;
   Participant& operator=(const Participant&) = delete;
 
+  /// Where it stands on the bus.
   const BusAddress& address() const { return address_; }
 
  private:
@@ -63,8 +65,10 @@ class Participant {
 template <class Message>
 class Writer {
  public:
+  /// `participant` must outlive this. Throws Error{run_failed} if the middleware refuses.
   explicit Writer(Participant& participant);
 
+  /// Hands the message to the middleware, which delivers it reliably. Throws Error{run_failed} if it refuses.
   void write(const Message& message);
 
   /// Readers that are connected now.
@@ -78,8 +82,8 @@ class Writer {
 /// A message and the number of the participant that wrote it.
 template <class Message>
 struct Heard {
-  int from = 0;
-  Message message;
+  int from = 0;     ///< participant that wrote it
+  Message message;  ///< as it was written
 };
 
 /// Believes those who have a say on its topic, by the participant's number, and refuses everybody else, whatever they
@@ -87,6 +91,7 @@ struct Heard {
 template <class Message>
 class Reader {
  public:
+  /// `participant` must outlive this. Throws Error{run_failed} if the middleware refuses.
   explicit Reader(Participant& participant);
 
   /// All that has come since the last call, in the order of each writer. Throws Error{run_failed} if one who has a say

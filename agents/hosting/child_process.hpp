@@ -33,6 +33,7 @@ class ChildProcess {
   /// `what` was waited for.
   std::string read(const std::string& what);
 
+  /// Lines that the child has answered so far.
   int lines_read() const { return lines_read_; }
 
   /// Closes the child's input and gives it 3 s to end by itself; then comes SIGTERM, and after another second SIGKILL.

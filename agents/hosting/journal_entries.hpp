@@ -18,10 +18,10 @@ struct AgentEntry {
 
 /// A plan that the coordinator made.
 struct CoordinatorEntry {
-  Tick tick;
-  std::vector<Report> reports;
-  Plan plan;
-  std::string memory;  ///< Planner::memory
+  Tick tick;                    ///< that was due
+  std::vector<Report> reports;  ///< that had come
+  Plan plan;                    ///< that was made of them
+  std::string memory;           ///< Planner::memory
 };
 
 /// The tick without what concerns only regions outside of [first, last].

@@ -21,7 +21,9 @@ namespace evbal {
 /// A region that an agent hosts. Per tick `begin`, then `report` if a plan is due, then `live`. The same calls give
 /// the same answers.
 struct HostedRegion {
+  /// A tick begins.
   std::function<void(const Tick&)> begin;
+  /// The region before anything moves.
   std::function<Report()> report;
   std::function<Departures(const Plan* plan)> live;  ///< plan is null where none is due
 };
@@ -33,11 +35,15 @@ struct HostedRegion {
 /// Who makes the plans. `recall` stands in place of `plan` in a process that was started again: it is given what
 /// `memory` gave after that plan.
 struct Planner {
+  /// The plan of a tick.
   std::function<Plan(const Tick&, const std::vector<Report>&)> plan;
+  /// What later plans need of this one, as bytes.
   std::function<std::string()> memory;
+  /// Goes on from such a tick without planning again.
   std::function<void(const Tick&, const std::vector<Report>&, const std::string& memory)> recall;
 };
 
+/// Answers as the coordinator, until the process is ended.
 [[noreturn]] void serve_coordinator(Participant& participant, const ProcessOptions& options, const Planner& planner);
 
 /// `faults` is asked one tick ahead, so that the conductor does not wait.

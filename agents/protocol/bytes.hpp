@@ -20,6 +20,7 @@ namespace evbal {
 
 static_assert(std::endian::native == std::endian::little, "digests and journals are of little-endian bytes");
 
+/// Whether fields that are no part of a digest are written too.
 enum class Detail {
   all,     ///< every field
   digest,  ///< without outside_digests; rare_in_digests only where they differ from their default, with their name
@@ -44,17 +45,21 @@ bool if_named(const Members& members, const Message& message, const Field& field
 template <class Sink>
 class ByteWriter {
  public:
+  /// Writes to `sink`.
   ByteWriter(Sink sink, Detail detail) : sink_(std::move(sink)), detail_(detail) {}
 
+  /// Writes a number as it stands in memory.
   template <class Number>
   requires std::is_arithmetic_v<Number> || std::is_enum_v<Number>
   void write(Number value) { sink_(&value, sizeof value); }
 
+  /// Writes a text: its length, then its bytes.
   void write(const std::string& text) {
     write(static_cast<std::uint64_t>(text.size()));
     sink_(text.data(), text.size());
   }
 
+  /// Writes a list: its length, then its items.
   template <class Item>
   void write(const std::vector<Item>& items) {
     write(static_cast<std::uint64_t>(items.size()));
@@ -63,6 +68,7 @@ class ByteWriter {
     }
   }
 
+  /// Writes a message, field by field.
   template <class Message>
   requires std::is_class_v<Message>
   void write(const Message& message) {
@@ -95,14 +101,18 @@ class ByteWriter {
 /// Takes from bytes what a ByteWriter of all fields gave.
 class ByteReader {
  public:
+  /// Reads from the first byte on.
   explicit ByteReader(std::string_view bytes) : rest_(bytes) {}
 
+  /// Reads a number.
   template <class Number>
   requires std::is_arithmetic_v<Number> || std::is_enum_v<Number>
   void read(Number& value) { std::memcpy(&value, take(sizeof value).data(), sizeof value); }
 
+  /// Reads a text.
   void read(std::string& text) { text = take(size()); }
 
+  /// Reads a list.
   template <class Item>
   void read(std::vector<Item>& items) {
     items.clear();
@@ -111,12 +121,14 @@ class ByteReader {
     }
   }
 
+  /// Reads a message, field by field.
   template <class Message>
   requires std::is_class_v<Message>
   void read(Message& message) {
     for_each_field(message, [&](std::string_view /*name*/, auto& field) { read(field); });
   }
 
+  /// Whether all bytes were read.
   bool at_end() const { return rest_.empty(); }
 
  private:
@@ -138,6 +150,7 @@ class ByteReader {
   std::string_view rest_;
 };
 
+/// A message as bytes.
 template <class Message>
 std::string to_bytes(const Message& message) {
   std::string bytes;

@@ -11,7 +11,7 @@ namespace evbal {
 /// What befell the run's processes or its bus, for the record: it changes nothing of what is said.
 struct Incident {
   std::string kind;  ///< "process ended", "process back", "sample refused"
-  std::string what;
+  std::string what;  ///< in a sentence
 };
 
 /// What the others said in one tick.
@@ -30,9 +30,9 @@ struct Seen {
 
 /// One tick as the conductor saw it.
 struct TickRecord {
-  Faults faults;
-  Tick tick;
-  Exchange exchange;
+  Faults faults;           ///< what the injector said
+  Tick tick;               ///< what the conductor said
+  Exchange exchange;       ///< what the others said
   std::vector<Seen> seen;  ///< in the order of the effects
 };
 

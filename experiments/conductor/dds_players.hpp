@@ -23,8 +23,8 @@ namespace evbal {
 struct DdsRun {
   /// The run directory: scenario.resolved.yaml is there, processes/ is made, and journals/ as long as the run lasts.
   std::filesystem::path folder;
-  int regions = 0;
-  int regions_per_process = 1;
+  int regions = 0;                                ///< of the city
+  int regions_per_process = 1;                    ///< that one agent hosts
   std::filesystem::path programs = own_folder();  ///< where evbal-agent, evbal-coordinator and evbal-faults are
   std::vector<std::string> coordinator{};         ///< program and first words in place of evbal-coordinator's
   std::chrono::seconds patience{120};             ///< longest wait for anything, the processes' start included
@@ -35,11 +35,13 @@ struct DdsRun {
 /// A folder that is empty to begin with and goes with its owner.
 class EmptyFolder {
  public:
+  /// Makes the folder, or empties it; the object's end removes it.
   explicit EmptyFolder(std::filesystem::path path);
   ~EmptyFolder();
   EmptyFolder(const EmptyFolder&) = delete;
   EmptyFolder& operator=(const EmptyFolder&) = delete;
 
+  /// Where it is.
   const std::filesystem::path& path() const { return path_; }
 
  private:

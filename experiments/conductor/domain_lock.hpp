@@ -15,6 +15,7 @@ class DomainLock {
   DomainLock(const DomainLock&) = delete;
   DomainLock& operator=(const DomainLock&) = delete;
 
+  /// The DDS domain that is locked.
   int domain() const { return domain_; }
 
  private:

@@ -22,6 +22,7 @@ struct Death {
 /// `time_for_farewell` (agents/hosting/process.hpp) to end, and kills those that are left.
 class Supervisor {
  public:
+  /// Logs go to `log_folder`, which is made if it is missing.
   explicit Supervisor(std::filesystem::path log_folder);
   ~Supervisor();
   Supervisor(const Supervisor&) = delete;
@@ -38,8 +39,11 @@ class Supervisor {
 
   /// Kills a process, which stays away until start_again(), or makes it stand still until go_on().
   void kill(const std::string& name);
+  /// Starts a process that has ended, with the same command. Throws Error{run_failed}.
   void start_again(const std::string& name);
+  /// Pauses a process (SIGSTOP).
   void stop(const std::string& name);
+  /// Lets a paused process go on (SIGCONT).
   void go_on(const std::string& name);
 
   /// Forgets how often each process has ended: the run has come further.
