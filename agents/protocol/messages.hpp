@@ -203,7 +203,7 @@ struct Provenance {
   std::string reason;  ///< why there was a fallback; empty without
   double objective = 0.0;
   double lower_bound = 0.0;
-  double gap = 0.0;            ///< (objective - lower_bound) / max(1, |objective|)
+  double gap = 0.0;            ///< relative, of the solve's certificate
   double max_violation = 0.0;  ///< of any constraint, recomputed from the model
   std::int32_t iterations = 0;
   double demand_widened = 1.0;        ///< by the innovation test: the largest factor on a region's standard deviation

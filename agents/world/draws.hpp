@@ -2,8 +2,7 @@
 
 #include "agents/protocol/messages.hpp"
 #include "agents/world/world.hpp"
-
-#include <Eigen/Core>
+#include "common/eigen.hpp"
 
 #include <functional>
 #include <vector>

@@ -1,10 +1,9 @@
 #pragma once
 
+#include "common/eigen.hpp"
 #include "coordinator/ambiguity/moment_set.hpp"
 #include "coordinator/convex/certificate.hpp"
 #include "coordinator/forecast/count_variance.hpp"
-
-#include <Eigen/Core>
 
 #include <string>
 #include <vector>

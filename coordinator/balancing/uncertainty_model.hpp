@@ -1,10 +1,9 @@
 #pragma once
 
+#include "common/eigen.hpp"
 #include "coordinator/balancing/discrete_distribution.hpp"
 #include "coordinator/balancing/problem.hpp"
 #include "coordinator/convex/convex_program.hpp"
-
-#include <Eigen/Core>
 
 #include <functional>
 #include <vector>

@@ -1,8 +1,7 @@
 #pragma once
 
+#include "common/eigen.hpp"
 #include "coordinator/convex/convex_program.hpp"
-
-#include <Eigen/Core>
 
 #include <string>
 

@@ -1,9 +1,8 @@
 #pragma once
 
+#include "common/eigen.hpp"
 #include "coordinator/convex/convex_function.hpp"
 #include "coordinator/convex/expression.hpp"
-
-#include <Eigen/Core>
 
 #include <limits>
 #include <string>

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <Eigen/Core>
+#include "common/eigen.hpp"
+
 #include <Eigen/SparseCore>
 
 #include <vector>

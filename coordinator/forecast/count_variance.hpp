@@ -1,8 +1,7 @@
 #pragma once
 
 #include "common/contract.hpp"
-
-#include <Eigen/Core>
+#include "common/eigen.hpp"
 
 #include <algorithm>
 #include <vector>

@@ -1,9 +1,8 @@
 #pragma once
 
+#include "common/eigen.hpp"
 #include "coordinator/forecast/arima.hpp"
 #include "coordinator/forecast/forecaster.hpp"
-
-#include <Eigen/Core>
 
 #include <array>
 #include <string>

@@ -1,8 +1,7 @@
 #pragma once
 
+#include "common/eigen.hpp"
 #include "coordinator/forecast/seasonal.hpp"
-
-#include <Eigen/Core>
 
 #include <vector>
 

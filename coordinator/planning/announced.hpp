@@ -1,8 +1,7 @@
 #pragma once
 
 #include "agents/protocol/messages.hpp"
-
-#include <Eigen/Core>
+#include "common/eigen.hpp"
 
 #include <vector>
 

@@ -1,9 +1,8 @@
 #pragma once
 
 #include "agents/protocol/messages.hpp"
+#include "common/eigen.hpp"
 #include "coordinator/balancing/problem.hpp"
-
-#include <Eigen/Core>
 
 #include <optional>
 #include <vector>

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "common/eigen.hpp"
 #include "common/error.hpp"
 
-#include <Eigen/Core>
 #include <nlohmann/json_fwd.hpp>
 
 #include <filesystem>

@@ -1,8 +1,7 @@
 #pragma once
 
+#include "common/eigen.hpp"
 #include "experiments/record/recorded_fault.hpp"
-
-#include <Eigen/Core>
 
 #include <cstdint>
 #include <filesystem>

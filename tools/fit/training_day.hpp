@@ -1,11 +1,10 @@
 #pragma once
 
 #include "agents/world/world.hpp"
+#include "common/eigen.hpp"
 #include "coordinator/planning/city_model.hpp"
 #include "coordinator/planning/settings.hpp"
 #include "tools/fit/transition_counts.hpp"
-
-#include <Eigen/Core>
 
 #include <vector>
 

@@ -1,8 +1,7 @@
 #pragma once
 
+#include "common/eigen.hpp"
 #include "coordinator/balancing/problem.hpp"
-
-#include <Eigen/Core>
 
 #include <vector>
 

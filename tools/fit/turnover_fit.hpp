@@ -1,10 +1,9 @@
 #pragma once
 
 #include "agents/world/city.hpp"
+#include "common/eigen.hpp"
 #include "coordinator/forecast/count_variance.hpp"
 #include "coordinator/forecast/seasonal_fit.hpp"
-
-#include <Eigen/Core>
 
 #include <vector>
 

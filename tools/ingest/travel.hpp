@@ -1,9 +1,8 @@
 #pragma once
 
 #include "agents/world/geometry.hpp"
+#include "common/eigen.hpp"
 #include "tools/ingest/trips.hpp"
-
-#include <Eigen/Core>
 
 #include <vector>
 
