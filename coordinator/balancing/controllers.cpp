@@ -54,7 +54,7 @@ const std::vector<Controller>& controllers() {
 
 BalancingResult balance(const Controller& controller, const BalancingParameters& parameters, const PlanningData& data,
                         const EngineSettings& engine) {
-  if (const auto why_not = complaint(parameters, data); !why_not.empty()) {
+  if (const auto why_not = validate(parameters, data); !why_not.empty()) {
     return {.dispatch = {}, .certificate = refusal(why_not, SolveStatus::refused), .cost = {}};
   }
   return controller.plan(parameters, data, engine);

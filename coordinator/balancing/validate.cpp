@@ -2,6 +2,7 @@
 
 #include "common/contract.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -33,6 +34,11 @@ class Complaint {
     }
   }
 
+  // The same of a matrix that is infinite where there is no road.
+  void require_or_infinite(const Eigen::MatrixXd& values, double high, std::string_view what) {
+    require(values.unaryExpr([](double value) { return value == infinity ? 0.0 : value; }), 0.0, high, what, "to");
+  }
+
   void require(double value, double low, double high, std::string_view what) {
     if (text_.empty() && !(value >= low && value <= high)) {
       std::ostringstream out;
@@ -47,9 +53,14 @@ class Complaint {
   std::string text_;
 };
 
-constexpr double most = std::numeric_limits<double>::max();
+// Far beyond any city, and yet no product of them is so large that a solver fails on it.
 constexpr double least = std::numeric_limits<double>::min();  // above zero
 constexpr double most_cars = 1e6;                             // in one region; of passengers too
+constexpr double most_km = 1e6;
+constexpr double most_minutes = 1e6;
+constexpr double most_price = 1e6;
+constexpr double most_threshold = 1e6;
+constexpr double most_variance = 1e5;  // of demand over its mean; a count so wide already has millions of values
 
 void check_state(Complaint& complaint, const FleetState& state) {
   complaint.require(state.vacant, 0.0, most_cars, "vacant vehicles", "");
@@ -65,13 +76,13 @@ void check_state(Complaint& complaint, const FleetState& state) {
 void check_set(Complaint& complaint, const MomentSet& set, Eigen::Index regions, const std::string& what) {
   const auto steps = set.mean.size() / regions;
   complaint.require(set.mean.reshaped(regions, steps), -most_cars, most_cars, what + ", mean", "step");
-  complaint.require(set.deviation.reshaped(regions, steps), least, most, what + ", deviation", "step");
+  complaint.require(set.deviation.reshaped(regions, steps), least, most_cars, what + ", deviation", "step");
   for (Eigen::Index r = 0; r < set.factors.cols(); ++r) {
-    complaint.require(set.factors.col(r).reshaped(regions, steps), -most, most, what + ", factor " + std::to_string(r),
-                      "step");
+    complaint.require(set.factors.col(r).reshaped(regions, steps), -most_cars, most_cars,
+                      what + ", factor " + std::to_string(r), "step");
   }
-  complaint.require(set.g1, 0.0, most, what + ", threshold g1");
-  complaint.require(set.g2, 0.0, most, what + ", threshold g2");
+  complaint.require(set.g1, 0.0, most_threshold, what + ", threshold g1");
+  complaint.require(set.g2, 0.0, most_threshold, what + ", threshold g2");
 }
 
 void check_transitions(Complaint& complaint, const Transitions& move, const std::string& step) {
@@ -88,21 +99,22 @@ void check_transitions(Complaint& complaint, const Transitions& move, const std:
 }
 
 void check_parameters(Complaint& complaint, const BalancingParameters& p) {
-  complaint.require(p.a, least, most, "parameter a");
-  complaint.require(p.theta_0, 0.0, most, "parameter theta_0");
-  complaint.require(p.eps, least, most, "parameter eps");
-  complaint.require(p.beta, 0.0, most, "parameter beta");
-  complaint.require(p.omega, 0.0, most, "parameter omega");
-  complaint.require(p.pi_e, 0.0, most, "parameter pi_e");
-  complaint.require(p.p_shortage, 0.0, most, "parameter p_shortage");
-  complaint.require(p.p_surplus, 0.0, most, "parameter p_surplus");
-  complaint.require(p.p_ratio, 0.0, most, "parameter p_ratio");
+  complaint.require(p.a, 1e-3, 10.0, "parameter a");
+  complaint.require(p.theta_0, 0.0, most_price, "parameter theta_0");
+  complaint.require(p.eps, 1e-3, most_cars, "parameter eps");
+  complaint.require(p.beta, 0.0, most_price, "parameter beta");
+  complaint.require(p.omega, 0.0, most_price, "parameter omega");
+  complaint.require(p.pi_e, 0.0, most_price, "parameter pi_e");
+  complaint.require(p.p_shortage, 0.0, most_price, "parameter p_shortage");
+  complaint.require(p.p_surplus, 0.0, most_price, "parameter p_surplus");
+  complaint.require(p.p_ratio, 0.0, most_price, "parameter p_ratio");
   complaint.require(p.eta, 0.0, 1.0, "parameter eta");
   complaint.require(p.m1, 0.0, infinity, "parameter m1");
   complaint.require(p.m2, 0.0, infinity, "parameter m2");
 }
 
-void check_turnover(Complaint& complaint, const Turnover& turnover) {
+void check_turnover(Complaint& complaint, const PlanningData& data) {
+  const Turnover& turnover = data.turnover;
   complaint.require(turnover.phi, 0.0, 1.0, "phi");
   complaint.require(turnover.same_step_dropoffs, 0.0, 1.0, "trips that end within the step", "to");
   for (const double linear : turnover.demand.linear) {
@@ -110,6 +122,8 @@ void check_turnover(Complaint& complaint, const Turnover& turnover) {
   }
   for (const double quadratic : turnover.demand.quadratic) {
     complaint.require(quadratic, 0.0, 100.0, "variance of demand, quadratic");
+    const double passengers = std::max(0.0, data.demand.mean.maxCoeff()) + data.state.waiting.maxCoeff();
+    complaint.require(quadratic * passengers, 0.0, most_variance, "variance of demand over its mean");
   }
 }
 
@@ -149,12 +163,12 @@ void expect_shapes(const PlanningData& data) {
 
 }  // namespace
 
-std::string complaint(const BalancingParameters& parameters, const PlanningData& data) {
+std::string validate(const BalancingParameters& parameters, const PlanningData& data) {
   expect_shapes(data);
   Complaint complaint;
   check_parameters(complaint, parameters);
-  complaint.require(data.km, 0.0, infinity, "km", "to");
-  complaint.require(data.minutes, 0.0, infinity, "minutes", "to");
+  complaint.require_or_infinite(data.km, most_km, "km");
+  complaint.require_or_infinite(data.minutes, most_minutes, "minutes");
   check_state(complaint, data.state);
   complaint.require(data.points, 0.0, most_cars, "points", "step");
   check_set(complaint, data.demand, data.km.rows(), "demand");
@@ -164,12 +178,12 @@ std::string complaint(const BalancingParameters& parameters, const PlanningData&
     complaint.require(data.demand_samples.middleRows(k * data.km.rows(), data.km.rows()), -most_cars, most_cars,
                       "demand, step " + std::to_string(k) + ",", "sample");
   }
-  check_turnover(complaint, data.turnover);
+  check_turnover(complaint, data);
   for (std::size_t k = 0; k < data.transitions.size(); ++k) {
     check_transitions(complaint, data.transitions[k], std::to_string(k));
   }
-  complaint.require(data.step_minutes, least, most, "step_minutes");
-  complaint.require(data.mean_session_minutes, least, most, "mean_session_minutes");
+  complaint.require(data.step_minutes, 1e-3, most_minutes, "step_minutes");
+  complaint.require(data.mean_session_minutes, 1e-3, most_minutes, "mean_session_minutes");
   return complaint.text();
 }
 

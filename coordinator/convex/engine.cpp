@@ -1,32 +1,68 @@
 #include "coordinator/convex/engine.hpp"
 
 #include "common/contract.hpp"
-#include "coordinator/convex/certificate.hpp"
 #include "coordinator/convex/cuts_engine.hpp"
 #include "coordinator/convex/ipopt_engine.hpp"
+#include "coordinator/convex/linear_program.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <atomic>
 
 namespace evbal {
 namespace {
 
-struct Engine {
+struct NamedEngine {
   const char* name;
   Solution (*solve)(const ConvexProgram&, const EngineSettings&);
 };
 
-constexpr std::array engines = {Engine{"ipopt", solve_with_ipopt}, Engine{"cuts", solve_with_cuts}};
+constexpr std::array engines = {NamedEngine{"ipopt", solve_with_ipopt}, NamedEngine{"cuts", solve_with_cuts}};
+
+class OneSolveAtATime {
+ public:
+  OneSolveAtATime() {
+    const bool was_busy = busy_.exchange(true);
+    EVBAL_EXPECT(!was_busy, "one solve at a time in a process");
+  }
+  OneSolveAtATime(const OneSolveAtATime&) = delete;
+  OneSolveAtATime& operator=(const OneSolveAtATime&) = delete;
+  ~OneSolveAtATime() { busy_ = false; }
+
+ private:
+  static inline std::atomic<bool> busy_ = false;
+};
+
+// Why no engine may be given this program; empty if any may.
+std::string unfit(const ConvexProgram& program) {
+  for (std::size_t n = 0; n < program.norms().size(); ++n) {
+    const NormTerm& norm = program.norms()[n];
+    if (!is_fit(norm.weight) || !std::ranges::all_of(norm.deviation, is_fit) ||
+        !std::ranges::all_of(norm.factors.reshaped(), is_fit)) {
+      return "norm " + std::to_string(n) + ": has a number that is not finite or too large";
+    }
+  }
+  for (const CurveRow& curve : program.curves()) {
+    const auto lowest = curve.function->around(program.lower()[static_cast<std::size_t>(curve.of)]);
+    if (!is_fit(lowest.value) || !is_fit(lowest.slope) || !is_fit(lowest.curvature)) {
+      return "curve of variable " + std::to_string(curve.of) + ": not finite or too steep at its lower bound";
+    }
+  }
+  return linear_part(program).unfit();
+}
 
 }  // namespace
 
 Solution solve(const ConvexProgram& program, const EngineSettings& settings) {
-  if (settings.fails) {
-    return {{}, refusal("the engine fails, by a fault")};
+  if (settings.own) {
+    return settings.own(program, settings);
   }
   const auto* engine = std::ranges::find_if(engines, [&](const auto& e) { return e.name == settings.name; });
   EVBAL_EXPECT(engine != engines.end(), "the name of an engine");
+  const OneSolveAtATime alone;
+  if (const std::string why_not = unfit(program); !why_not.empty()) {
+    return {{}, refusal(why_not, SolveStatus::refused)};
+  }
   return engine->solve(program, settings);
 }
 

@@ -1,30 +1,39 @@
 #pragma once
 
+#include "common/eigen.hpp"
 #include "coordinator/convex/certificate.hpp"
 #include "coordinator/convex/convex_program.hpp"
 
-#include <Eigen/Core>
-
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace evbal {
 
-/// Which engine solves, and how much work it may spend. Never a wall clock: results must not depend on the machine's
-/// speed.
-struct EngineSettings {
-  std::string name = "ipopt";
-  int max_iterations = 300;  ///< of the engine's own kind: Newton steps of `ipopt`, linear programs of `cuts`
-  bool fails = false;        ///< whatever is to be solved, as a fault will have it
-};
+struct EngineSettings;
 
 struct Solution {
   Eigen::VectorXd x;  ///< within its bounds; empty if the engine failed
   Certificate certificate;
 };
 
-/// Solves a program. Never throws for what the program holds: a failure is a certificate that says why.
-/// `settings.name` is one of engine_names().
+/// Solves a program, or says in the certificate why not.
+using Engine = std::function<Solution(const ConvexProgram&, const EngineSettings&)>;
+
+/// Which engine solves, and how much work it may spend. Never a wall clock: results must not depend on the machine's
+/// speed.
+struct EngineSettings {
+  std::string name = "ipopt";
+  int max_iterations = 300;  ///< of the engine's own kind: Newton steps of `ipopt`, linear programs of `cuts`
+  Engine own = {};           ///< solves in place of the engine of that name, where given
+};
+
+/// Solves a program. Never throws for what the program holds: a failure is a certificate that says why, and so is a
+/// program with a number that is not finite or beyond `largest_number`, on which the libraries below end the process.
+///
+/// `settings.name` is one of engine_names(). One solve at a time in a process, whatever the engine: the linear solver
+/// of Ipopt (MUMPS) keeps its state in globals. A second one that starts meanwhile ends the process; solve in processes
+/// of their own instead.
 Solution solve(const ConvexProgram& program, const EngineSettings& settings);
 
 std::vector<std::string> engine_names();

@@ -75,18 +75,11 @@ std::string reason(Ipopt::ApplicationReturnStatus status, int iterations) {
   }
 }
 
-// The optimum of the linear program with every curve and norm at its tangent at x.
+// The optimum of the linear program with every curve and norm at its tangent at x; -infinity if there is none.
 double lower_bound(const ConvexProgram& program, const Eigen::VectorXd& x) {
-  LinearProgram lp(program);
+  LinearProgram lp = linear_part(program);
   for (const auto& norm : program.norms()) {
     lp.add_column(0.0, ConvexProgram::infinity, norm.weight);
-  }
-  for (std::size_t row = 0; row + 1 < program.row_start().size(); ++row) {
-    for (int at = program.row_start()[row]; at < program.row_start()[row + 1]; ++at) {
-      const auto& [variable, coefficient] = program.entries()[static_cast<std::size_t>(at)];
-      lp.add(variable, coefficient);
-    }
-    lp.end_row(program.row_low()[row], program.row_high()[row]);
   }
   for (const auto& curve : program.curves()) {
     const auto expansion = curve.function->around(x(curve.of));
@@ -103,6 +96,9 @@ double lower_bound(const ConvexProgram& program, const Eigen::VectorXd& x) {
     lp.add(above++, 1.0);
     lp.end_row(0.0);
   }
+  if (!lp.unfit().empty()) {
+    return -ConvexProgram::infinity;
+  }
   const auto clp = lp.load();
   clp->dual();
   return clp->isProvenOptimal() ? lp.lower_bound(*clp) : -ConvexProgram::infinity;
@@ -117,7 +113,9 @@ Solution solve_with_ipopt(const ConvexProgram& program, const EngineSettings& se
     solution.x = cleaned(program, found.x);
     solution.certificate = certify(program, solution.x, lower_bound(program, solution.x));
   } else {
-    solution.certificate = refusal(reason(found.status, found.iterations));
+    const bool spent = found.status == Ipopt::Maximum_Iterations_Exceeded;
+    solution.certificate =
+        refusal(reason(found.status, found.iterations), spent ? SolveStatus::iteration_limit : SolveStatus::failed);
   }
   solution.certificate.iterations = found.iterations;
   return solution;

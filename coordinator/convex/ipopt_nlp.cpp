@@ -86,7 +86,7 @@ bool IpoptNlp::get_starting_point(Index n, bool /*init_x*/, Number* x, bool /*in
     x[i] = std::clamp(0.0, program_.lower()[at], program_.upper()[at]);
   }
   for (const auto& curve : program_.curves()) {
-    x[curve.above] = std::max(x[curve.above], curve.function->around(x[curve.of]).value);
+    x[curve.above] = std::max(x[curve.above], around(curve, x).value);
   }
   for (const auto& [norm, t, f, row] : norms_) {
     const Eigen::VectorXd z = values_of(norm->variables, Eigen::Map<const Eigen::VectorXd>(x, n));
@@ -104,6 +104,11 @@ double IpoptNlp::squared(const Lifted& lifted, const Number* x) const {
     sum += scaled * scaled;
   }
   return sum;
+}
+
+ConvexFunction::Expansion IpoptNlp::around(const CurveRow& curve, const Number* x) const {
+  const auto of = static_cast<std::size_t>(curve.of);
+  return curve.function->around(std::clamp(x[curve.of], program_.lower()[of], program_.upper()[of]));
 }
 
 bool IpoptNlp::eval_f(Index /*n*/, const Number* x, bool /*new_x*/, Number& value) {
@@ -151,7 +156,7 @@ bool IpoptNlp::eval_g(Index n, const Number* x, bool /*new_x*/, Index /*m*/, Num
   }
   int row = first_curve_row_;
   for (const auto& curve : program_.curves()) {
-    rows[row++] = curve.function->around(x[curve.of]).value - x[curve.above];
+    rows[row++] = around(curve, x).value - x[curve.above];
   }
   return true;
 }
@@ -179,7 +184,7 @@ bool IpoptNlp::eval_jac_g(Index /*n*/, const Number* x, bool /*new_x*/, Index /*
   }
   int at_row = first_curve_row_;
   for (const auto& curve : program_.curves()) {
-    put(at_row, curve.of, triplets.wants_values() ? curve.function->around(x[curve.of]).slope : 0.0);
+    put(at_row, curve.of, triplets.wants_values() ? around(curve, x).slope : 0.0);
     put(at_row++, curve.above, -1.0);
   }
   return true;
@@ -223,7 +228,7 @@ bool IpoptNlp::eval_h(Index /*n*/, const Number* x, bool /*new_x*/, Number objec
   }
   const Number* multiplier = lambda + first_curve_row_;
   for (const auto& curve : program_.curves()) {
-    triplets.value(*multiplier++ * curve.function->around(x[curve.of]).curvature);
+    triplets.value(*multiplier++ * around(curve, x).curvature);
   }
   return true;
 }

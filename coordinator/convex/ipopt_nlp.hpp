@@ -1,8 +1,8 @@
 #pragma once
 
+#include "common/eigen.hpp"
 #include "coordinator/convex/convex_program.hpp"
 
-#include <Eigen/Core>
 #include <coin/IpTNLP.hpp>
 
 #include <vector>
@@ -50,6 +50,9 @@ class IpoptNlp final : public Ipopt::TNLP {
   };
 
   double squared(const Lifted& lifted, const Number* x) const;
+
+  // Around x, or around the nearest bound of its variable where Ipopt oversteps that by its tolerance.
+  ConvexFunction::Expansion around(const CurveRow& curve, const Number* x) const;
 
   const ConvexProgram& program_;
   std::vector<Lifted> norms_;

@@ -5,11 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace evbal {
 namespace {
 
-// Clp knows the largest double as no bound, and no infinity.
+// Clp takes the largest double for no bound; it does not know infinity.
 std::vector<double> clp_bounds(std::vector<double> bounds) {
   for (double& bound : bounds) {
     bound = std::clamp(bound, -COIN_DBL_MAX, COIN_DBL_MAX);
@@ -17,7 +18,33 @@ std::vector<double> clp_bounds(std::vector<double> bounds) {
   return bounds;
 }
 
+// A lower bound may be -infinity and an upper one infinity: they bind nothing.
+bool is_fit_as_low(double bound) {
+  return bound == -ConvexProgram::infinity || is_fit(bound);
+}
+
+bool is_fit_as_high(double bound) {
+  return bound == ConvexProgram::infinity || is_fit(bound);
+}
+
+std::string complaint(const std::string& what, double number) {
+  std::ostringstream out;
+  out << what << ": " << number << " is not in [" << -largest_number << ", " << largest_number << ']';
+  return out.str();
+}
+
+// Names the first of `numbers` that is not fit, empty if all are.
+template <class IsFit>
+std::string first_unfit(const std::vector<double>& numbers, const std::string& what, const IsFit& is_fit_there) {
+  const auto wrong = std::ranges::find_if_not(numbers, is_fit_there);
+  return wrong == numbers.end() ? "" : complaint(what + std::to_string(wrong - numbers.begin()), *wrong);
+}
+
 }  // namespace
+
+bool is_fit(double number) {
+  return std::abs(number) <= largest_number;
+}
 
 LinearProgram::LinearProgram(const ConvexProgram& program)
     : constant_(program.constant()), lower_(program.lower()), upper_(program.upper()), cost_(program.cost()) {}
@@ -45,14 +72,35 @@ void LinearProgram::end_row(double low, double high) {
   row_start_.push_back(static_cast<int>(entry_.size()));
 }
 
+std::string LinearProgram::unfit() const {
+  if (!is_fit(constant_)) {
+    return complaint("constant", constant_);
+  }
+  const auto entry = std::ranges::find_if_not(entry_, is_fit);
+  if (entry != entry_.end()) {
+    const int column = entry_column_[static_cast<std::size_t>(entry - entry_.begin())];
+    return complaint("coefficient of variable " + std::to_string(column), *entry);
+  }
+  for (const std::string& why_not :
+       {first_unfit(cost_, "cost of variable ", is_fit), first_unfit(lower_, "lower bound of variable ", is_fit_as_low),
+        first_unfit(upper_, "upper bound of variable ", is_fit_as_high),
+        first_unfit(row_low_, "lower side of row ", is_fit_as_low),
+        first_unfit(row_high_, "upper side of row ", is_fit_as_high)}) {
+    if (!why_not.empty()) {
+      return why_not;
+    }
+  }
+  return "";
+}
+
 std::shared_ptr<ClpSimplex> LinearProgram::load() const {
   CoinPackedMatrix matrix(false, columns(), rows(), static_cast<CoinBigIndex>(entry_.size()), entry_.data(),
                           entry_column_.data(), row_start_.data(), nullptr);
   matrix.setDimensions(rows(), columns());
   auto clp = std::make_shared<ClpSimplex>();
   clp->setLogLevel(0);
-  // Shares of a transition go down to nothing, and geometric scaling makes them loud: with it Clp 1.17 stops at points
-  // up to 8 % off and calls them optimal, and takes five times as long. Vehicles and km are of one size as they are.
+  // Without scaling: shares of a transition may be tiny, and geometric scaling would magnify them. With it Clp 1.17
+  // calls points optimal that are up to 8 % off, and takes five times as long.
   clp->scaling(0);
   // Where a curve falls by thousands a vehicle, the default of 1e-7 vehicles costs more than a gap of 1e-6 allows.
   clp->setPrimalTolerance(1e-9);
@@ -63,8 +111,8 @@ std::shared_ptr<ClpSimplex> LinearProgram::load() const {
 }
 
 // For any multipliers y of the rows,  cost'x = (cost - A'y)'x + y'(A x)  is at least what bounds and rows allow term by
-// term. At the optimum the reduced costs of variables without a bound are zero but for rounding; that rest is charged
-// as if those variables reached ten times the largest value of the optimum.
+// term. At the optimum the reduced costs of variables without a bound are zero but for rounding; what rounding leaves
+// is multiplied by ten times the largest value of the optimum, as if those variables reached that far.
 double LinearProgram::lower_bound(const ClpSimplex& solved) const {
   const Eigen::Map<const Eigen::VectorXd> x(solved.primalColumnSolution(), columns());
   const double reach = 10.0 * std::max(1.0, x.cwiseAbs().maxCoeff());
@@ -85,6 +133,18 @@ double LinearProgram::lower_bound(const ClpSimplex& solved) const {
     bound += least(solved.objective()[i] - priced(i), solved.columnLower()[i], solved.columnUpper()[i]);
   }
   return bound;
+}
+
+LinearProgram linear_part(const ConvexProgram& program) {
+  LinearProgram lp(program);
+  for (std::size_t row = 0; row + 1 < program.row_start().size(); ++row) {
+    for (int at = program.row_start()[row]; at < program.row_start()[row + 1]; ++at) {
+      const auto& [variable, coefficient] = program.entries()[static_cast<std::size_t>(at)];
+      lp.add(variable, coefficient);
+    }
+    lp.end_row(program.row_low()[row], program.row_high()[row]);
+  }
+  return lp;
 }
 
 }  // namespace evbal

@@ -3,6 +3,7 @@
 #include "coordinator/convex/convex_program.hpp"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 class ClpSimplex;
@@ -30,7 +31,12 @@ class LinearProgram {
   int columns() const { return static_cast<int>(cost_.size()); }
   int rows() const { return static_cast<int>(row_low_.size()); }
 
-  /// This program in Clp, not solved yet.
+  /// Why Clp may not be given this program: names the first number that is not finite or beyond `largest_number`, on
+  /// which Clp ends the process; empty if there is none. Bounds and sides of rows may be infinite where they bind
+  /// nothing.
+  std::string unfit() const;
+
+  /// This program in Clp, not solved yet; it is fit.
   std::shared_ptr<ClpSimplex> load() const;
 
   /// A lower bound of the optimum from the multipliers that Clp ended with: safe against the tolerances of the simplex
@@ -48,6 +54,15 @@ class LinearProgram {
   std::vector<double> row_low_;
   std::vector<double> row_high_;
 };
+
+/// The largest number that an engine is given. Clp takes 1e25 and more for a mistake of its caller and aborts.
+inline constexpr double largest_number = 1e20;
+
+/// Whether a number is finite and within `largest_number`.
+bool is_fit(double number);
+
+/// The columns and rows of `program`, without its curves and norms.
+LinearProgram linear_part(const ConvexProgram& program);
 
 /// Simplex iterations of one linear program; the largest city needs a tenth.
 inline constexpr int max_simplex_iterations = 1000000;

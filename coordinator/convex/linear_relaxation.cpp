@@ -11,8 +11,8 @@ namespace {
 
 constexpr double infinity = ConvexProgram::infinity;
 
-// A tangent of a norm at x, or as much of it as leaves no variable with a cost below zero, on which it would grow
-// without end: a norm lies above any part of its tangents, too.
+// A tangent of a norm at x, scaled down until no variable's cost becomes negative, which could make the linear program
+// unbounded. A norm lies above a scaled-down tangent too.
 Eigen::VectorXd affordable_gradient(const ConvexProgram& program, const NormTerm& norm, const Eigen::VectorXd& x) {
   const Eigen::VectorXd gradient = norm.gradient(values_of(norm.variables, x));
   double share = 1.0;
@@ -36,8 +36,9 @@ LinearRelaxation::LinearRelaxation(const ConvexProgram& program) : program_(prog
     EVBAL_EXPECT(above < 0, "a variable above one curve at most");
     above = static_cast<int>(curves_.size());
     const double lower = program.lower()[static_cast<std::size_t>(curve.of)];
-    curves_.push_back({&curve, Tangents(curve.function, lower)});
-    x(curve.above) = curve.function->around(lower + 1.0).value;
+    const double upper = program.upper()[static_cast<std::size_t>(curve.of)];
+    curves_.push_back({&curve, Tangents(curve.function, lower, upper)});
+    x(curve.above) = curve.function->around(std::min(lower + 1.0, upper)).value;
   }
   for (const auto& norm : program.norms()) {
     first_gradients_.push_back(affordable_gradient(program, norm, x));
@@ -111,11 +112,17 @@ double LinearRelaxation::write(LinearProgram& lp, int variable, double coefficie
 
 LinearRelaxation::Outcome LinearRelaxation::solve() {
   const LinearProgram lp = linear_program();
+  if (const std::string why_not = lp.unfit(); !why_not.empty()) {
+    return {.why_not = why_not, .lower_bound = -infinity, .x = {}};
+  }
   const auto clp = lp.load();
   basis_.empty() ? start_without_prices(*clp) : start_from_prices(*clp);
   clp->dual();
+  if (!clp->isProvenOptimal()) {
+    return {.why_not = "Clp finds no optimum", .lower_bound = -infinity, .x = {}};
+  }
   keep_prices(*clp);
-  return {.optimal = clp->isProvenOptimal(), .lower_bound = lp.lower_bound(*clp), .x = point(*clp)};
+  return {.why_not = "", .lower_bound = lp.lower_bound(*clp), .x = point(*clp)};
 }
 
 void LinearRelaxation::keep_prices(const ClpSimplex& clp) {
@@ -140,9 +147,10 @@ void LinearRelaxation::keep_prices(const ClpSimplex& clp) {
   }
 }
 
-// Basic are the variables that equations define, the last parts of curves, and each variable that would grow without
-// end but for a row, in that row: the last such row, whose price then holds for the steps before. So hardly any price
-// has the wrong sign but those of columns with two bounds, which the dual method puts right without a pivot.
+// A basis that is nearly dual feasible. Basic are the variables without a lower bound (equations define them), the last
+// part of each curve, and each variable with a negative cost that only a row bounds, in place of the last such row.
+// Where a reduced cost still has the wrong sign, the column mostly has two bounds, and the dual method moves it to the
+// other one without a pivot.
 void LinearRelaxation::start_without_prices(ClpSimplex& clp) const {
   clp.createStatus();
   for (int column = 0; column < program_.variables(); ++column) {
@@ -162,7 +170,7 @@ void LinearRelaxation::start_without_prices(ClpSimplex& clp) const {
   }
 }
 
-// Whether the row keeps a variable from growing without end that no other row was found for, which is then basic.
+// Whether the row alone bounds a variable with a negative cost that is not basic yet; makes that variable basic.
 bool LinearRelaxation::holds_back(ClpSimplex& clp, int row) const {
   for (int at = program_.row_start()[static_cast<std::size_t>(row)];
        at < program_.row_start()[static_cast<std::size_t>(row) + 1]; ++at) {

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "common/eigen.hpp"
 #include "coordinator/convex/convex_program.hpp"
 #include "coordinator/convex/linear_program.hpp"
 #include "coordinator/convex/tangents.hpp"
 
-#include <Eigen/Core>
-
+#include <string>
 #include <vector>
 
 namespace evbal {
@@ -23,19 +23,18 @@ namespace evbal {
 /// goes into the cost; each further tangent is a row.
 class LinearRelaxation {
  public:
-  /// Knows each curve by tangents spread ever wider from its lower end, where it bends most, and each norm by one.
-  /// `program` must outlive this, and has no other bound on what stands above a curve than the curve.
+  /// Starts with tangents of each curve ever further apart from its lower end, where it bends most, and one of each
+  /// norm. `program` must outlive this, and has no other bound on what stands above a curve than the curve.
   explicit LinearRelaxation(const ConvexProgram& program);
 
   struct Outcome {
-    bool optimal = false;
+    std::string why_not;       ///< there is no optimum, empty if there is
     double lower_bound = 0.0;  ///< of the program's optimum
     Eigen::VectorXd x;         ///< in the program's variables
   };
 
-  /// Solves what there is by the dual method: the first time from a basis that needs no prices, then from the last
-  /// optimum. More tangents leave its prices as they are, and prices tell of each new piece whether it is full or
-  /// empty.
+  /// Solves the linear program of the tangents so far by the dual method: the first time from a basis that needs no
+  /// prices (dual values), then from the prices of the last optimum, which stay dual feasible when tangents are added.
   Outcome solve();
 
   /// Makes the tangents of each curve denser around the slope that the prices of the last optimum ask of it, and adds

@@ -8,18 +8,19 @@
 
 namespace evbal {
 
-Tangents::Tangents(ConvexFunctionPtr function, double lower) : function_(std::move(function)), lower_(lower) {
-  constexpr int first_tangents = 18;  // to a thousand vehicles, where what is left of a slope outweighs no km
+Tangents::Tangents(ConvexFunctionPtr function, double lower, double upper)
+    : function_(std::move(function)), lower_(lower), upper_(upper) {
+  constexpr int first_tangents = 18;  // the last one touches about a thousand vehicles above `lower`
   double offset = 0.0;
   for (int i = 0; i < first_tangents; ++i) {
-    add(lower + offset);
+    add(std::min(lower + offset, upper));
     offset = 1.5 * offset + 0.5;
   }
 }
 
 void Tangents::add(double at) {
   constexpr double same = 1e-9;
-  EVBAL_EXPECT(at >= lower_, "a point of at least the lower end");
+  EVBAL_EXPECT(at >= lower_ && at <= upper_, "a point between the ends");
   const auto next = std::ranges::lower_bound(tangents_, at, {}, &Tangent::at);
   if ((next != tangents_.end() && next->at - at < same) || (next != tangents_.begin() && at - (next - 1)->at < same)) {
     return;

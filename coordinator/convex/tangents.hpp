@@ -7,8 +7,8 @@
 
 namespace evbal {
 
-/// A convex function from below: the largest of its tangents at some points, straight piece by piece from a lower end
-/// on.
+/// A convex function from below: the largest of its tangents at some points of [lower, upper], beyond which nobody asks
+/// for the function. Straight piece by piece from `lower` on.
 class Tangents {
  public:
   /// The piece of one tangent.
@@ -18,10 +18,10 @@ class Tangents {
     double width = 0.0;  ///< of the last: infinite
   };
 
-  /// Starts with tangents ever further apart from `lower` on.
-  Tangents(ConvexFunctionPtr function, double lower);
+  /// Starts with tangents ever further apart from `lower` on; `upper` may be infinite.
+  Tangents(ConvexFunctionPtr function, double lower, double upper);
 
-  /// Adds the tangent at a point of at least `lower`, unless there is one.
+  /// Adds the tangent at a point of [lower, upper], unless there is one.
   void add(double at);
 
   /// Adds tangents between those that enclose a slope, and in the gaps on both sides.
@@ -39,6 +39,7 @@ class Tangents {
 
   ConvexFunctionPtr function_;
   double lower_;
+  double upper_;
   std::vector<Tangent> tangents_;  // ascending
 };
 

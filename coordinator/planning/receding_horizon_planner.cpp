@@ -53,11 +53,16 @@ Eigen::VectorXd heard(const std::vector<std::optional<Report>>& good, std::int32
   return counts;
 }
 
+/// An engine that always fails.
+Solution failing(const ConvexProgram& /*program*/, const EngineSettings& /*settings*/) {
+  return {{}, refusal("the engine fails, by a fault")};
+}
+
 /// The engine as the solver's faults leave it.
 EngineSettings under_faults(EngineSettings engine, const std::vector<Effect>& effects) {
   for (const Effect& effect : effects) {
     if (effect.type == EffectType::solver_fail) {
-      engine.fails = true;
+      engine.own = failing;
     } else if (effect.type == EffectType::solver_starve) {
       engine.max_iterations = std::min(engine.max_iterations, static_cast<int>(std::lround(effect.magnitude)));
     }

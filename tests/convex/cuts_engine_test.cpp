@@ -77,7 +77,7 @@ TEST(CutsEngine, SaysThatNoPointIsFeasible) {
   const auto solution = solve(program, {.name = "cuts"});
   EXPECT_FALSE(solution.certificate.optimal());
   EXPECT_EQ(solution.x.size(), 0);
-  EXPECT_EQ(solution.certificate.reason, "Clp finds no optimum of linear program 1");
+  EXPECT_EQ(solution.certificate.reason, "linear program 1: Clp finds no optimum");
 }
 
 TEST(CutsEngine, StopsWithItsBudgetAndSaysHowFarItGot) {

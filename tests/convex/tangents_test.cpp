@@ -1,6 +1,7 @@
 #include "coordinator/convex/tangents.hpp"
 
 #include "coordinator/balancing/worst_case.hpp"
+#include "coordinator/convex/convex_program.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -24,7 +25,7 @@ double largest_tangent(const Tangents& tangents, double lower, double at) {
 RC_GTEST_PROP(Tangents, LieBelowTheCurveAndTouchIt, (bool steep)) {
   const auto f = steep ? inverse_power(0.5, 1.0) : of_line(worst_case_shortage(2.0, 0.3, 1.5), 0.8, -6.0);
   const double lower = 0.01 * *rc::gen::inRange(0, 300);
-  Tangents tangents(f, lower);
+  Tangents tangents(f, lower, ConvexProgram::infinity);
   for (const int hundredths : *rc::gen::resize(10, rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 50000)))) {
     const double at = lower + 0.01 * hundredths;
     tangents.add(at);
@@ -42,10 +43,22 @@ RC_GTEST_PROP(Tangents, LieBelowTheCurveAndTouchIt, (bool steep)) {
   }
 }
 
+TEST(Tangents, StayWithinTheEnds) {
+  const auto f = inverse_power(1.0, 1.0);
+  const Tangents few(f, 1.0, 3.0);
+  EXPECT_EQ(few.pieces().front().at, 1.0);
+  EXPECT_EQ(few.pieces().back().at, 3.0);
+  const Tangents one(f, 2.0, 2.0);
+  ASSERT_EQ(one.pieces().size(), 1U);
+  EXPECT_EQ(one.value_at_lower(), f->around(2.0).value);
+  Tangents two(f, 0.0, 1.0);
+  EXPECT_DEATH(two.add(1.5), "a point between the ends");
+}
+
 // f(x) = (x + 1)^-1 has slope -1/9 at x = 2.
 TEST(Tangents, GrowDenseWhereTheyAreAskedTo) {
   const auto f = inverse_power(1.0, 1.0);
-  Tangents tangents(f, 0.0);
+  Tangents tangents(f, 0.0, ConvexProgram::infinity);
   const auto off = [&] { return f->around(2.0).value - largest_tangent(tangents, 0.0, 2.0); };
   const double before = off();
   EXPECT_GT(before, 1e-5);

@@ -16,7 +16,7 @@ struct Cost {
 using Work = std::function<bool()>;
 
 /// Prepares work and does it, in a process of its own, so that each measurement starts with the same memory. Work of
-/// less than two seconds is repeated, and the least counts: what more it took was the machine's. Counts the programs
+/// less than two seconds is repeated, and the least time counts: the rest is noise of the machine. Counts the programs
 /// that it starts, not the preparation. Stops at `limit` seconds of processor; nothing if the work fails.
 std::optional<Cost> measure(const std::function<Work()>& prepare, int limit);
 

@@ -6,7 +6,7 @@
 
 namespace evbal {
 
-/// What one region is made of; random_planning_data() scales it to any size.
+/// Size and mean values of a random city.
 struct DataShape {
   int regions = 5;
   int tau = 2;
@@ -17,7 +17,7 @@ struct DataShape {
   int out_degree = 0;          ///< cars reach a region itself and so many nearest in a step; 0: every region
 };
 
-/// A random city at a random moment: sound, complete, and the same for the same seed.
+/// A random city at a random moment, which validate() accepts; the same for the same seed and shape.
 PlanningData random_planning_data(std::uint64_t seed, const DataShape& shape);
 
 }  // namespace evbal
