@@ -1,15 +1,42 @@
 #include "coordinator/balancing/round_to_vehicles.hpp"
 
+#include "common/contract.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <span>
+#include <utility>
 
 namespace evbal {
 namespace {
 
 constexpr std::int64_t unit = 1'000'000;  // millionths of a vehicle
+
+void expect_between_regions(const std::vector<Flow>& flows, int regions) {
+  constexpr double most = 1e6;
+  const auto is_region = [regions](int region) { return region >= 0 && region < regions; };
+  for (const auto& [from, to, amount] : flows) {
+    EVBAL_EXPECT(is_region(from) && is_region(to) && from != to, "flows between two regions");
+    EVBAL_EXPECT(amount >= 0.0 && amount <= most, "amounts within [0, 1e6]");
+  }
+}
+
+// Sorted by (from, to), each pair once.
+std::vector<Flow> by_pair(std::vector<Flow> flows) {
+  const auto pair = [](const Flow& flow) { return std::pair(flow.from, flow.to); };
+  std::ranges::stable_sort(flows, {}, pair);
+  std::vector<Flow> merged;
+  for (const Flow& flow : flows) {
+    if (!merged.empty() && pair(merged.back()) == pair(flow)) {
+      merged.back().amount += flow.amount;
+    } else {
+      merged.push_back(flow);
+    }
+  }
+  return merged;
+}
 
 // Amounts in millionths that add up to `most` at most; too much is cut in proportion.
 std::vector<std::int64_t> millionths(std::span<const Flow> flows, std::int64_t most) {
@@ -50,9 +77,12 @@ std::vector<VehicleFlow> whole_row(std::span<const Flow> flows, std::int64_t ava
 }  // namespace
 
 std::vector<VehicleFlow> round_to_vehicles(const std::vector<Flow>& flows, const Eigen::VectorXi& available) {
+  expect_between_regions(flows, static_cast<int>(available.size()));
+  EVBAL_EXPECT((available.array() >= 0).all(), "no region with less than no vehicles");
+  const std::vector<Flow> pairs = by_pair(flows);
   std::vector<VehicleFlow> whole;
-  for (auto first = flows.begin(); first != flows.end();) {
-    const auto last = std::find_if(first, flows.end(), [&](const Flow& flow) { return flow.from != first->from; });
+  for (auto first = pairs.begin(); first != pairs.end();) {
+    const auto last = std::find_if(first, pairs.end(), [&](const Flow& flow) { return flow.from != first->from; });
     const auto row = whole_row({first, last}, available(first->from));
     whole.insert(whole.end(), row.begin(), row.end());
     first = last;
