@@ -1,8 +1,7 @@
 #pragma once
 
+#include "common/eigen.hpp"
 #include "coordinator/ambiguity/covariance.hpp"
-
-#include <Eigen/Core>
 
 #include <cstdint>
 

@@ -1,8 +1,7 @@
 #pragma once
 
+#include "common/eigen.hpp"
 #include "coordinator/ambiguity/moment_set.hpp"
-
-#include <Eigen/Core>
 
 namespace evbal {
 

@@ -23,14 +23,14 @@ std::vector<Eigen::Index> rows_of(const std::vector<int>& regions, Eigen::Index 
 
 }  // namespace
 
-ResidualDistribution fit_residual_law(const Eigen::MatrixXd& residuals, int leads, const std::vector<int>& regions,
-                                      const Bootstrap& bootstrap) {
+ResidualDistribution fit_residual_distribution(const Eigen::MatrixXd& residuals, int leads,
+                                               const std::vector<int>& regions, const Bootstrap& bootstrap) {
   EVBAL_EXPECT(residuals.rows() % leads == 0, "as many residuals for each lead");
   const Eigen::Index block = residuals.rows() / leads;
-  ResidualDistribution law{{Eigen::VectorXd::Zero(residuals.rows()), Eigen::MatrixXd(residuals.rows(), 0)}, {}};
+  ResidualDistribution fit{{Eigen::VectorXd::Zero(residuals.rows()), Eigen::MatrixXd(residuals.rows(), 0)}, {}};
   if (regions.empty()) {
-    law.thresholds.assign(static_cast<std::size_t>(leads), {});
-    return law;
+    fit.thresholds.assign(static_cast<std::size_t>(leads), {});
+    return fit;
   }
   const auto rows = rows_of(regions, block, leads);
   const Eigen::MatrixXd varying = residuals(rows, Eigen::all);
@@ -38,25 +38,25 @@ ResidualDistribution fit_residual_law(const Eigen::MatrixXd& residuals, int lead
   for (int lead = 0; lead < leads; ++lead) {
     const auto head = static_cast<Eigen::Index>(regions.size()) * (lead + 1);
     const Covariance leading{fitted.deviation.head(head), fitted.factors.topRows(head)};
-    law.thresholds.push_back(bootstrap_thresholds(varying.topRows(head), leading, bootstrap).value);
+    fit.thresholds.push_back(bootstrap_thresholds(varying.topRows(head), leading, bootstrap).value);
   }
-  law.covariance.deviation(rows) = fitted.deviation;
-  law.covariance.factors = Eigen::MatrixXd::Zero(residuals.rows(), fitted.factors.cols());
-  law.covariance.factors(rows, Eigen::all) = fitted.factors;
-  return law;
+  fit.covariance.deviation(rows) = fitted.deviation;
+  fit.covariance.factors = Eigen::MatrixXd::Zero(residuals.rows(), fitted.factors.cols());
+  fit.covariance.factors(rows, Eigen::all) = fitted.factors;
+  return fit;
 }
 
-MomentSet moment_set(const ResidualDistribution& law, const Eigen::MatrixXd& mean, const Eigen::MatrixXd& scale) {
+MomentSet moment_set(const ResidualDistribution& errors, const Eigen::MatrixXd& mean, const Eigen::MatrixXd& scale) {
   EVBAL_EXPECT(mean.rows() == scale.rows() && mean.cols() == scale.cols(), "mean and scale of one shape");
-  EVBAL_EXPECT(mean.cols() >= 1 && mean.cols() <= law.leads(), "from one step to as many as errors were fitted for");
+  EVBAL_EXPECT(mean.cols() >= 1 && mean.cols() <= errors.leads(), "from one step to as many as errors were fitted for");
   const Eigen::VectorXd by = scale.reshaped();
-  const Thresholds& thresholds = law.thresholds[static_cast<std::size_t>(mean.cols() - 1)];
+  const Thresholds& thresholds = errors.thresholds[static_cast<std::size_t>(mean.cols() - 1)];
   MomentSet set;
   set.mean = mean.reshaped();
-  set.factors = by.asDiagonal() * law.covariance.factors.topRows(by.size());
+  set.factors = by.asDiagonal() * errors.covariance.factors.topRows(by.size());
   const Eigen::VectorXd floors =
       (by.array() > 0.0).select(deviation_floor, Eigen::VectorXd::Constant(by.size(), certain_deviation));
-  const Eigen::VectorXd diagonal = by.cwiseProduct(law.covariance.deviation.head(by.size()));
+  const Eigen::VectorXd diagonal = by.cwiseProduct(errors.covariance.deviation.head(by.size()));
   const Eigen::VectorXd missing = floors.cwiseAbs2() - set.factors.rowwise().squaredNorm();
   set.deviation = diagonal.cwiseAbs2().cwiseMax(missing).cwiseMax(certain_deviation * certain_deviation).cwiseSqrt();
   set.g1 = thresholds.g1;
@@ -64,9 +64,9 @@ MomentSet moment_set(const ResidualDistribution& law, const Eigen::MatrixXd& mea
   return set;
 }
 
-Eigen::VectorXd inflation(const ResidualDistribution& law, const NormalisedInnovation& normalised_innovation) {
+Eigen::VectorXd inflation(const ResidualDistribution& errors, const NormalisedInnovation& normalised_innovation) {
   const Eigen::ArrayXd squared = normalised_innovation.region.array().max(normalised_innovation.city);
-  return (squared > law.alarm).select(squared, 1.0).sqrt();
+  return (squared > errors.alarm).select(squared, 1.0).sqrt();
 }
 
 void widen(MomentSet& set, const Eigen::VectorXd& by) {

@@ -12,19 +12,20 @@ namespace {
 
 // Joins neighbours until each value has at least `least` of the probability; the topmost may have less.
 DiscreteDistribution joined(const std::vector<double>& values, const std::vector<double>& probabilities, double least) {
-  DiscreteDistribution law;
+  DiscreteDistribution distribution;
   double probability = 0.0;
   double moment = 0.0;
   for (std::size_t i = 0; i < values.size(); ++i) {
     probability += probabilities[i];
     moment += probabilities[i] * values[i];
-    if (probability >= least || i + 1 == values.size()) {
-      law.values.push_back(moment / probability);
-      law.probabilities.push_back(probability);
+    const bool last = i + 1 == values.size();
+    if (probability >= least || (last && probability > 0.0)) {
+      distribution.values.push_back(moment / probability);
+      distribution.probabilities.push_back(probability);
       probability = moment = 0.0;
     }
   }
-  return law;
+  return distribution;
 }
 
 // p(k + 1) / p(k) of a negative binomial.
@@ -45,22 +46,22 @@ DiscreteDistribution certain(double value) {
 DiscreteDistribution empirical(std::vector<double> values) {
   EVBAL_EXPECT(!values.empty(), "at least one value");
   std::ranges::sort(values);
-  DiscreteDistribution law;
+  DiscreteDistribution distribution;
   const double each = 1.0 / static_cast<double>(values.size());
   for (const double value : values) {
-    if (!law.values.empty() && law.values.back() == value) {
-      law.probabilities.back() += each;
+    if (!distribution.values.empty() && distribution.values.back() == value) {
+      distribution.probabilities.back() += each;
     } else {
-      law.values.push_back(value);
-      law.probabilities.push_back(each);
+      distribution.values.push_back(value);
+      distribution.probabilities.push_back(each);
     }
   }
-  return law;
+  return distribution;
 }
 
 // From the mean outwards until the rest is negligible.
 DiscreteDistribution negative_binomial(double mean, double variance) {
-  EVBAL_EXPECT(mean >= 0.0, "a mean of at least zero");
+  EVBAL_EXPECT(mean >= 0.0 && std::isfinite(mean) && std::isfinite(variance), "a finite mean of at least zero");
   if (mean == 0.0) {
     return certain(0.0);
   }
@@ -88,24 +89,26 @@ DiscreteDistribution negative_binomial(double mean, double variance) {
   return joined(values, probabilities, least);
 }
 
+// Probabilities by their logarithms: that of no passengers underflows from a mean of 746 on.
 double negative_binomial_at_most(double count, double mean, double variance) {
-  EVBAL_EXPECT(mean > 0.0, "a mean above zero");
+  EVBAL_EXPECT(mean > 0.0 && std::isfinite(mean) && std::isfinite(variance), "a finite mean above zero");
+  EVBAL_EXPECT(count <= 1e9, "a count of at most 1e9");
   const double v = std::max(mean * (1.0 + 1e-9), variance);
   const double size = mean * mean / (v - mean);
-  double weight = std::exp(size * std::log(mean / v));  // of none
+  double logarithm = size * std::log1p((mean - v) / v);  // of the probability of none
   double sum = 0.0;
-  for (int k = 0; k <= count; ++k) {
-    sum += weight;
-    weight *= next_ratio(k, mean, v);
+  for (double k = 0.0; k <= count; k += 1.0) {
+    sum += std::exp(logarithm);
+    logarithm += std::log(next_ratio(k, mean, v));
   }
   return std::min(1.0, sum);
 }
 
-DiscreteDistribution mirrored(DiscreteDistribution law) {
-  std::ranges::reverse(law.values);
-  std::ranges::reverse(law.probabilities);
-  std::ranges::transform(law.values, law.values.begin(), std::negate<>());
-  return law;
+DiscreteDistribution mirrored(DiscreteDistribution distribution) {
+  std::ranges::reverse(distribution.values);
+  std::ranges::reverse(distribution.probabilities);
+  std::ranges::transform(distribution.values, distribution.values.begin(), std::negate<>());
+  return distribution;
 }
 
 }  // namespace evbal

@@ -4,7 +4,7 @@
 
 namespace evbal {
 
-/// A demand that takes finitely many values.
+/// A random number of finitely many values.
 struct DiscreteDistribution {
   std::vector<double> values;         ///< ascending, at least one
   std::vector<double> probabilities;  ///< > 0, sum 1
@@ -12,7 +12,7 @@ struct DiscreteDistribution {
   double mean() const;
 };
 
-/// What surely takes one value.
+/// Surely this value.
 DiscreteDistribution certain(double value);
 
 /// `values` are equally likely; at least one.
@@ -22,10 +22,11 @@ DiscreteDistribution empirical(std::vector<double> values);
 /// values of less than a 64th together are joined at their mean: fewer values, the same mean.
 DiscreteDistribution negative_binomial(double mean, double variance);
 
-/// Probability of at most `count` under the same negative binomial, without joining; mean > 0.
+/// Probability of at most `count` (up to 1e9) under the same negative binomial, without joining; mean > 0. Right to
+/// 1e-9; takes as long as `count` is large.
 double negative_binomial_at_most(double count, double mean, double variance);
 
-/// The law of  -r.
-DiscreteDistribution mirrored(DiscreteDistribution law);
+/// The distribution of  -r.
+DiscreteDistribution mirrored(DiscreteDistribution distribution);
 
 }  // namespace evbal

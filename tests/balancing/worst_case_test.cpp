@@ -25,8 +25,8 @@ TEST(WorstCaseShortage, AtPointsWorkedOutByHand) {
   EXPECT_DOUBLE_EQ(psi(-3.0, 2.0, 1.0, 0.0), 3.0);
 }
 
-// The bound is sharp: a law of two points that the set allows does as badly.
-TEST(WorstCaseShortage, ATwoPointLawAttainsIt) {
+// The bound is sharp: a distribution on two points that the set allows does as badly.
+TEST(WorstCaseShortage, ADistributionOnTwoPointsAttainsIt) {
   const double v = 4.0;
   const double m = 1.0;
   const double d = 1.0;

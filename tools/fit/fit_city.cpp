@@ -87,7 +87,7 @@ CityModel model_of_demand(const City& city, int leads, const SeriesModel& demand
   model.completions.seasonal.step_minutes = city.step_minutes;
   model.completions.seasonal.mean.fill(Eigen::MatrixXd::Zero(n, city.steps_per_day()));
   model.completions.seasonal.region.resize(city.regions.size());
-  model.completions.errors = fit_residual_law(Eigen::MatrixXd::Zero(n * leads, 2), leads, {}, {});
+  model.completions.errors = fit_residual_distribution(Eigen::MatrixXd::Zero(n * leads, 2), leads, {}, {});
   const TransitionCounts unseen(city.size());
   model.periods = {{period_starts[0], transitions_of(unseen, unseen, 1.0)}};
   model.turnover = {{{1.0}, {0.0}}, 0.0, Eigen::MatrixXd::Zero(n, n)};

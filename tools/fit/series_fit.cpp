@@ -80,7 +80,7 @@ SeriesFit fit_series(const SeriesDays& days, int step_minutes, int leads, const 
   fit.orders = choose_orders(days.training);
   fit.training = leave_one_day_out(days.training, step_minutes, fit.orders, leads);
   fit.model.seasonal = fit_seasonal(days.training, step_minutes, fit.orders);
-  fit.model.errors = fit_residual_law(residuals_of(fit.training), leads, regions, {});
+  fit.model.errors = fit_residual_distribution(residuals_of(fit.training), leads, regions, {});
   fit.model.errors.alarm = daily_surprise(fit.training);
   round(fit.model);
   const SeasonalMeans rival = seasonal_means(days.training);

@@ -1,5 +1,6 @@
 #include "tools/verify/inner_problem.hpp"
 
+#include "coordinator/ambiguity/covariance.hpp"
 #include "coordinator/convex/convex_program.hpp"
 
 #include <Eigen/Cholesky>
@@ -13,10 +14,6 @@
 
 namespace evbal {
 namespace {
-
-Eigen::MatrixXd dense_covariance(const MomentSet& set) {
-  return Eigen::MatrixXd(set.deviation.array().square().matrix().asDiagonal()) + set.factors * set.factors.transpose();
-}
 
 // min objective'y  s.t.  sum_i y_i F_i - F_0 >= 0  block by block; entries (i, block, row, column, value), all from 1
 // except i, upper triangles only.
@@ -63,7 +60,7 @@ class SemidefiniteProgram {
 std::string inner_problem(const MomentSet& set, const Eigen::VectorXd& h) {
   const Eigen::Index size = h.size();
   const Eigen::VectorXd& mean = set.mean;
-  const Eigen::MatrixXd covariance = dense_covariance(set);
+  const Eigen::MatrixXd covariance = Covariance{set.deviation, set.factors}.dense();
   const Eigen::MatrixXd root = std::sqrt(set.g1) * Eigen::MatrixXd(covariance.llt().matrixU());  // root'root = g1 Sigma
   const Eigen::MatrixXd second_moment = set.g2 * covariance + mean * mean.transpose();
   constexpr int schur = 1;

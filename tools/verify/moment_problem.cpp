@@ -1,5 +1,6 @@
 #include "tools/verify/moment_problem.hpp"
 
+#include "common/contract.hpp"
 #include "common/error.hpp"
 
 #include <coin/ClpSimplex.hpp>
@@ -11,6 +12,8 @@
 namespace evbal {
 
 double moment_problem(double d, double sigma, double g1, double g2) {
+  EVBAL_EXPECT(sigma > 0.0 && std::abs(d) <= 1e6 * sigma, "a deviation above zero and a margin within 1e6 of it");
+  EVBAL_EXPECT(g1 >= 0.0 && g2 > 0.0, "thresholds of at least zero");
   constexpr double enough = 1e-8;
   constexpr int max_points = 200;
   constexpr double far = 1e4;  // in either direction, while the multipliers are still flat
