@@ -49,5 +49,19 @@ TEST(Sources, HeadersHaveNamesOfTheirOwn) {
   }
 }
 
+// Headers of rooms are installed, and Eigen's alignment is checked wherever a user's program meets them.
+TEST(Sources, HeadersIncludeEigenWithTheCheckOfItsAlignment) {
+  for (const auto& file : all_sources()) {
+    const bool of_tests = file.string().starts_with(test::in_source("tests").string());
+    if (file.extension() == ".hpp" && !of_tests && file != test::in_source("common/eigen.hpp")) {
+      std::ifstream stream(file);
+      const std::string text{std::istreambuf_iterator<char>(stream), {}};
+      const auto has = [&text](const char* include) { return text.find(include) != std::string::npos; };
+      EXPECT_FALSE(has("#include <Eigen/") && !has("#include \"common/eigen.hpp\""))
+          << file << ": include common/eigen.hpp";
+    }
+  }
+}
+
 }  // namespace
 }  // namespace evbal
