@@ -1,88 +1,36 @@
 #include "common/yaml.hpp"
 
+#include "common/plain_text.hpp"
+
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <fstream>
-#include <numeric>
 #include <sstream>
 
 namespace evbal {
 namespace {
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const auto& word : words) {
-    text += (text.empty() ? "`" : ", `") + word + "`";
-  }
-  return text;
-}
-
-std::string shown(double value) {
-  std::ostringstream out;
-  out << value;
-  return out.str();
-}
-
-/// Plain decimal only: no hexadecimal, no infinities, no leading zero that YAML 1.1 would read as octal.
-std::optional<double> decimal(std::string_view text) {
-  if (text.empty() || text.find_first_not_of("0123456789+-.eE") != std::string_view::npos || text.front() == '+') {
-    return std::nullopt;
-  }
-  const std::string_view digits = text.front() == '-' ? text.substr(1) : text;
-  if (digits.size() > 1 && digits[0] == '0' && digits[1] >= '0' && digits[1] <= '9') {
-    return std::nullopt;
-  }
-  double value = 0.0;
-  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (code != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
-    return std::nullopt;
-  }
-  return value;
-}
-
-template <class Integer>
-std::optional<Integer> whole(std::string_view text) {
-  const std::string_view digits = text.starts_with('-') ? text.substr(1) : text;
-  if (digits.size() > 1 && digits[0] == '0') {
-    return std::nullopt;
-  }
-  Integer value = 0;
-  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (code != std::errc{} || end != text.data() + text.size()) {
-    return std::nullopt;
-  }
-  return value;
-}
-
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
+/// Refuses bytes that YAML does not allow in a text, and that yaml-cpp takes as something else: 4 as the end.
+void check_characters(const std::string& text, const std::string& name) {
+  const auto refuse = [&](std::size_t at, const char* what) {
+    if (at != std::string::npos) {
+      const auto line = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n') + 1;
+      throw bad_input(name, static_cast<int>(line), what);
     }
-  }
-  return row[b.size()];
+  };
+  refuse(find_invalid_utf8(text), "is not UTF-8; write the file in UTF-8");
+  refuse(find_control_character(text), "holds a control character; leave it out");
+}
+
+/// Line of the first thing in the second of several documents.
+int line_of_second(const std::vector<YAML::Node>& documents, const std::string& text) {
+  const YAML::Mark mark = documents[1].Mark();
+  const auto last = static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+  return mark.is_null() ? last : std::min(mark.line + 1, last);
 }
 
 }  // namespace
-
-std::string did_you_mean(std::string_view word, const std::vector<std::string>& words) {
-  const auto best = std::min_element(words.begin(), words.end(), [&](const auto& a, const auto& b) {
-    return edit_distance(word, a) < edit_distance(word, b);
-  });
-  if (best == words.end() || edit_distance(word, *best) > std::max<std::size_t>(2, best->size() / 3)) {
-    return "";
-  }
-  return " (did you mean `" + *best + "`?)";
-}
 
 YamlValue::YamlValue(std::shared_ptr<const YAML::Node> node, std::shared_ptr<const std::string> file)
     : node_(std::move(node)), file_(std::move(file)) {}
@@ -99,11 +47,16 @@ YamlValue YamlValue::load(const std::filesystem::path& file) {
 
 YamlValue YamlValue::parse(const std::string& text, const std::string& name) {
   try {
-    const YAML::Node node = YAML::Load(text);
-    if (node.IsNull()) {
+    check_characters(text, name);
+    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
+    if (documents.size() > 1) {
+      throw bad_input(name, line_of_second(documents, text),
+                      "a second document begins after `---` or `...`; leave one document in the file");
+    }
+    if (documents.empty() || documents.front().IsNull()) {
       throw bad_input(name, 1, "is empty; a YAML map is expected");
     }
-    return {std::make_shared<YAML::Node>(node), std::make_shared<std::string>(name)};
+    return {std::make_shared<YAML::Node>(documents.front()), std::make_shared<std::string>(name)};
   } catch (const YAML::Exception& e) {
     throw bad_input(name, e.mark.line + 1, "not valid YAML: " + e.msg);
   }
@@ -134,116 +87,6 @@ const std::string& YamlValue::file() const {
 
 Error YamlValue::error(const std::string& message) const {
   return bad_input(*file_, line(), message);
-}
-
-const std::string& YamlValue::scalar(const char* expected) const {
-  if (!node_->IsScalar()) {
-    throw error(std::string("expected ") + expected);
-  }
-  return node_->Scalar();
-}
-
-std::string YamlValue::text() const {
-  return scalar("a text");
-}
-
-double YamlValue::number() const {
-  const std::string& text = scalar("a number");
-  const auto value = decimal(text);
-  if (!value) {
-    throw error("`" + text + "` is no number; write a plain decimal such as 1.5");
-  }
-  return *value;
-}
-
-double YamlValue::number(double low, double high) const {
-  const double value = number();
-  if (value < low || value > high) {
-    throw error("`" + text() + "` is out of range; give a number from " + shown(low) + " to " + shown(high));
-  }
-  return value;
-}
-
-int YamlValue::integer() const {
-  const std::string& text = scalar("a whole number");
-  const auto value = whole<int>(text);
-  if (!value) {
-    throw error("`" + text + "` is no whole number; write digits only, such as 12");
-  }
-  return *value;
-}
-
-int YamlValue::integer(int low, int high) const {
-  const int value = integer();
-  if (value < low || value > high) {
-    throw error("`" + text() + "` is out of range; give a whole number from " + std::to_string(low) + " to " +
-                std::to_string(high));
-  }
-  return value;
-}
-
-std::uint64_t YamlValue::seed() const {
-  const std::string& text = scalar("a seed");
-  const auto value = whole<std::uint64_t>(text);
-  if (!value) {
-    throw error("`" + text + "` is no seed; write a whole number from 0 to 2^64-1");
-  }
-  return *value;
-}
-
-bool YamlValue::boolean() const {
-  const std::string& text = scalar("true or false");
-  if (text != "true" && text != "false") {
-    throw error("`" + text + "` is neither `true` nor `false`");
-  }
-  return text == "true";
-}
-
-double YamlValue::duration() const {
-  const std::string& text = scalar("a duration");
-  const std::size_t unit_at = text.find_first_not_of("0123456789.");
-  const std::string unit = unit_at == std::string::npos ? "" : text.substr(unit_at);
-  const auto amount = decimal(text.substr(0, unit_at));
-  const double minutes = unit == "ms"    ? 1.0 / 60'000.0
-                         : unit == "s"   ? 1.0 / 60.0
-                         : unit == "min" ? 1.0
-                         : unit == "h"   ? 60.0
-                                         : 0.0;
-  if (!amount || minutes == 0.0) {
-    throw error("`" + text + "` is no duration; write a number and ms, s, min or h, such as 30min");
-  }
-  return *amount * minutes;
-}
-
-int YamlValue::whole_minutes() const {
-  const double minutes = duration();
-  if (minutes < 1.0 || minutes != std::floor(minutes) || minutes > 24.0 * 60.0) {
-    throw error("`" + text() + "` must be whole minutes, from 1min to 24h");
-  }
-  return static_cast<int>(minutes);
-}
-
-int YamlValue::time_of_day() const {
-  const std::string& text = scalar("a time of day");
-  const auto hours = text.size() == 5 && text[2] == ':' ? std::optional(text.substr(0, 2)) : std::nullopt;
-  const auto is_digit = [&](std::size_t i) { return text[i] >= '0' && text[i] <= '9'; };
-  if (hours && is_digit(0) && is_digit(1) && is_digit(3) && is_digit(4)) {
-    const int hour = (text[0] - '0') * 10 + (text[1] - '0');
-    const int minute = (text[3] - '0') * 10 + (text[4] - '0');
-    if (minute < 60 && hour * 60 + minute <= 24 * 60) {
-      return hour * 60 + minute;
-    }
-  }
-  throw error("`" + text + "` is no time of day; write \"17:30\", from \"00:00\" to \"24:00\"");
-}
-
-std::size_t YamlValue::one_of(const std::vector<std::string>& words) const {
-  const std::string& text = scalar("a word");
-  const auto found = std::find(words.begin(), words.end(), text);
-  if (found == words.end()) {
-    throw error("`" + text + "` is not known" + did_you_mean(text, words) + "; choose one of " + joined(words));
-  }
-  return static_cast<std::size_t>(found - words.begin());
 }
 
 std::vector<YamlValue> YamlValue::items() const {
@@ -324,7 +167,7 @@ void YamlMap::finish() const {
   for (const auto& key : order_) {
     if (!known_.contains(key)) {
       throw key_places_.at(key).error("unknown key `" + key + "`" + did_you_mean(key, known) + "; known are " +
-                                      joined(known));
+                                      listed(known));
     }
   }
 }

@@ -22,7 +22,7 @@ namespace evbal {
 /// throws Error{bad_input} as "file:line: what, and what would be right".
 class YamlValue {
  public:
-  /// Reads a whole file. Throws if it is missing, empty or no YAML.
+  /// Reads a whole file. Throws if it is missing, empty, no YAML, not in UTF-8 or of several documents.
   static YamlValue load(const std::filesystem::path& file);
 
   /// Reads `text`; `name` stands for the file in messages.
@@ -32,7 +32,15 @@ class YamlValue {
   bool is_list() const;
   bool is_scalar() const;
 
+  /// A text of one line, without control characters.
   std::string text() const;
+
+  /// A text of any number of lines.
+  std::string paragraphs() const;
+
+  /// A text after which files may be named (file_name_complaint in common/plain_text.hpp).
+  std::string file_name() const;
+
   double number() const;
   double number(double low, double high) const;  ///< within [low, high]
   int integer() const;
@@ -40,8 +48,11 @@ class YamlValue {
   std::uint64_t seed() const;            ///< whole number in 0..2^64-1
   bool boolean() const;
 
-  /// "90min", "1.5h", "30s", "20ms" as minutes, not negative.
+  /// "90min", "1.5h", "30s", "20ms" as minutes, not negative; "4.1h" is 246.
   double duration() const;
+
+  /// The same from `low` to `high` minutes.
+  double duration(double low, double high) const;
 
   /// A duration of whole minutes, at least 1.
   int whole_minutes() const;
@@ -67,6 +78,7 @@ class YamlValue {
 
  private:
   friend class YamlMap;
+  friend class YamlWriter;
   YamlValue(std::shared_ptr<const YAML::Node> node, std::shared_ptr<const std::string> file);
 
   const std::string& scalar(const char* expected) const;
@@ -111,6 +123,9 @@ class YamlMap {
   std::map<std::string, YamlValue> key_places_;
   std::set<std::string> known_;
 };
+
+/// "`a`, `b`": words that may be chosen, for messages.
+std::string listed(const std::vector<std::string>& words);
 
 /// The word in `words` closest to `word`, as " (did you mean `x`?)", empty if none is close.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& words);

@@ -2,12 +2,13 @@
 
 #include "agents/world/geometry.hpp"
 #include "agents/world/pack_table.hpp"
-#include "agents/world/pack_text.hpp"
+#include "common/decimal.hpp"
+#include "common/files.hpp"
 #include "common/random.hpp"
+#include "common/table_text.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <tuple>
 
 namespace evbal {
@@ -146,7 +147,7 @@ CityFactors read_factors(const YamlValue& value, const City& city) {
   factors.share = map.require("share").number(0.0, 1.0);
   factors.region_deviation = map.require("region_deviation").number(0.0, 2.0);
   factors.detour = map.require("detour").number(1.0, 3.0);
-  factors.start_minutes = map.require("start").duration();
+  factors.start_minutes = map.require("start").duration(0.0, 24.0 * 60.0);
   factors.minutes_per_km = map.require("minutes_per_km").number(0.0, 60.0);
   map.finish();
   factors.pairs = read_pairs(city.folder / "demand" / "pairs.csv", city.size());
@@ -155,16 +156,10 @@ CityFactors read_factors(const YamlValue& value, const City& city) {
   return factors;
 }
 
-std::string factors_yaml(const CityFactors& factors) {
-  std::ostringstream out;
-  out << "factors:\n"
-      << "  seed: " << factors.seed << "\n"
-      << "  share: " << decimal(factors.share) << "\n"
-      << "  region_deviation: " << decimal(factors.region_deviation) << "\n"
-      << "  detour: " << decimal(factors.detour) << "\n"
-      << "  start: " << decimal(factors.start_minutes) << "min\n"
-      << "  minutes_per_km: " << decimal(factors.minutes_per_km) << "\n";
-  return out.str();
+void write_factors(YamlWriter& yaml, const CityFactors& factors) {
+  yaml.key("factors").begin_map().key("seed").number(factors.seed).key("share").number(factors.share);
+  yaml.key("region_deviation").number(factors.region_deviation).key("detour").number(factors.detour);
+  yaml.key("start").minutes(factors.start_minutes).key("minutes_per_km").number(factors.minutes_per_km).end_map();
 }
 
 void write_factor_tables(const City& city, const std::filesystem::path& folder) {
@@ -172,23 +167,22 @@ void write_factor_tables(const City& city, const std::filesystem::path& folder) 
   std::string pairs = "origin,destination,trips\n";
   long long total = 0;
   for (const TripCount& pair : factors.pairs) {
-    pairs +=
-        std::to_string(pair.origin) + "," + std::to_string(pair.destination) + "," + std::to_string(pair.trips) + "\n";
+    pairs += csv_row({decimal(pair.origin), decimal(pair.destination), decimal(pair.trips)});
     total += pair.trips;
   }
-  write_text(folder / "demand" / "pairs.csv", pairs + "end,," + std::to_string(total) + "\n");
+  write_file(folder / "demand" / "pairs.csv", pairs + csv_row({"end", "", decimal(total)}));
   std::string course = "day,step,share\n";
   for (Eigen::Index day = 0; day < factors.course.rows(); ++day) {
     for (Eigen::Index step = 0; step < factors.course.cols(); ++step) {
-      course += city.days[day] + "," + std::to_string(step) + "," + decimal(factors.course(day, step)) + "\n";
+      course += csv_row({city.days[day], decimal(step), decimal(factors.course(day, step))});
     }
   }
-  write_text(folder / "demand" / "course.csv", course);
+  write_file(folder / "demand" / "course.csv", course);
   std::string spread = "region,spread_km\n";
   for (std::size_t region = 0; region < factors.spread_km.size(); ++region) {
-    spread += std::to_string(region) + "," + decimal(factors.spread_km[region]) + "\n";
+    spread += csv_row({decimal(region), decimal(factors.spread_km[region])});
   }
-  write_text(folder / "spread.csv", spread);
+  write_file(folder / "spread.csv", spread);
 }
 
 }  // namespace evbal

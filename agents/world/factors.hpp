@@ -2,6 +2,7 @@
 
 #include "agents/world/city.hpp"
 #include "common/yaml.hpp"
+#include "common/yaml_writer.hpp"
 
 namespace evbal {
 
@@ -15,8 +16,10 @@ void set_travel(City& city);
 /// with file and line.
 CityFactors read_factors(const YamlValue& value, const City& city);
 
-/// The map `factors` of a city.yaml, with its key; and the tables, written to the pack.
-std::string factors_yaml(const CityFactors& factors);
+/// Writes the key `factors` of a city.yaml.
+void write_factors(YamlWriter& yaml, const CityFactors& factors);
+
+/// Writes the tables of the factors into the pack in `folder`. Throws Error{run_failed}.
 void write_factor_tables(const City& city, const std::filesystem::path& folder);
 
 }  // namespace evbal

@@ -88,11 +88,18 @@ FleetAssumption read_fleet(const YamlValue& value) {
   return fleet;
 }
 
+double read_patience(const YamlValue& value) {
+  return value.duration(0.0, 24.0 * 60.0);
+}
+
+double read_session_minutes(const YamlValue& value) {
+  return value.duration(1.0, 24.0 * 60.0);
+}
+
 PassengerAssumption read_passengers(const YamlValue& value) {
   YamlMap map(value);
   PassengerAssumption passengers;
-  std::tie(passengers.patience_low, passengers.patience_high) =
-      read_range(map.require("patience"), [](const YamlValue& minutes) { return minutes.duration(); });
+  std::tie(passengers.patience_low, passengers.patience_high) = read_range(map.require("patience"), read_patience);
   map.finish();
   return passengers;
 }

@@ -17,6 +17,12 @@ void read_days(const YamlValue& value, City& city);
 /// The map of `fleet`.
 FleetAssumption read_fleet(const YamlValue& value);
 
+/// How long a passenger waits, in minutes: at most a day.
+double read_patience(const YamlValue& value);
+
+/// How long a car charges, in minutes: from one to a day's.
+double read_session_minutes(const YamlValue& value);
+
 /// The map of `passengers`.
 PassengerAssumption read_passengers(const YamlValue& value);
 

@@ -1,27 +1,14 @@
 #include "agents/world/pack_table.hpp"
 
-#include "common/contract.hpp"
+#include "common/decimal.hpp"
+#include "common/table_text.hpp"
 
-#include <array>
-#include <cassert>
 #include <charconv>
 #include <cmath>
 #include <fstream>
 #include <sstream>
 
 namespace evbal {
-namespace {
-
-void split(std::string_view line, std::vector<std::string_view>& fields) {
-  fields.clear();
-  for (std::size_t comma = line.find(','); comma != std::string_view::npos; comma = line.find(',')) {
-    fields.push_back(line.substr(0, comma));
-    line.remove_prefix(comma + 1);
-  }
-  fields.push_back(line);
-}
-
-}  // namespace
 
 std::optional<double> parse_number(std::string_view text) {
   double value = 0.0;
@@ -37,14 +24,6 @@ std::optional<long long> parse_integer(std::string_view text) {
   return whole ? std::optional(value) : std::nullopt;
 }
 
-std::string decimal(double value) {
-  EVBAL_EXPECT(std::isfinite(value), "a finite number");
-  std::array<char, 400> digits{};
-  const auto [end, code] = std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed);
-  assert(code == std::errc{});
-  return {digits.data(), end};
-}
-
 PackTable::PackTable(const std::filesystem::path& file, const std::string& header) : file_(file.string()) {
   std::ifstream in(file, std::ios::binary);
   if (!in || std::filesystem::is_directory(file)) {
@@ -57,8 +36,7 @@ PackTable::PackTable(const std::filesystem::path& file, const std::string& heade
   if (!first || *first != header) {
     throw error("the first line must be `" + header + "`");
   }
-  split(header, fields_);
-  names_.assign(fields_.begin(), fields_.end());
+  names_ = split_csv(header);
 }
 
 std::optional<std::string_view> PackTable::next_line() {
@@ -80,7 +58,7 @@ bool PackTable::next() {
   if (!line) {
     return false;
   }
-  split(*line, fields_);
+  split_csv(*line, ',', fields_);
   if (fields_.size() != names_.size()) {
     throw error("has " + std::to_string(fields_.size()) + " fields, not " + std::to_string(names_.size()));
   }
@@ -94,8 +72,8 @@ std::string_view PackTable::text(std::size_t column) const {
 int PackTable::integer(std::size_t column, int low, int high) const {
   const auto value = parse_integer(fields_[column]);
   if (!value || *value < low || *value > high) {
-    throw error(names_[column] + " `" + std::string(fields_[column]) + "` must be a whole number from " +
-                std::to_string(low) + " to " + std::to_string(high));
+    throw error(names_[column] + " `" + fields_[column] + "` must be a whole number from " + std::to_string(low) +
+                " to " + std::to_string(high));
   }
   return static_cast<int>(*value);
 }
@@ -103,8 +81,8 @@ int PackTable::integer(std::size_t column, int low, int high) const {
 double PackTable::number(std::size_t column, double low, double high) const {
   const auto value = parse_number(fields_[column]);
   if (!value || *value < low || *value > high) {
-    throw error(names_[column] + " `" + std::string(fields_[column]) + "` must be a number from " + decimal(low) +
-                " to " + decimal(high));
+    throw error(names_[column] + " `" + fields_[column] + "` must be a number from " + decimal(low) + " to " +
+                decimal(high));
   }
   return *value;
 }

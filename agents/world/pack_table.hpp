@@ -16,11 +16,8 @@ std::optional<double> parse_number(std::string_view text);
 /// The whole of `text` as a whole number, or nothing.
 std::optional<long long> parse_integer(std::string_view text);
 
-/// Shortest plain decimal that reads back as the same number.
-std::string decimal(double value);
-
-/// A strict reader of a pack's CSV tables: a fixed header, as many fields in every line, no quotes, a newline at the
-/// end of every line (so that a truncated file shows). Everything else throws Error{bad_input} with file and line.
+/// A strict reader of a pack's CSV tables: a fixed header, as many fields in every line, a newline at the end of every
+/// line (so that a truncated file shows). Everything else throws Error{bad_input} with file and line.
 class PackTable {
  public:
   /// Reads `file`, whose first line must be `header`.
@@ -44,7 +41,7 @@ class PackTable {
   std::size_t at_ = 0;
   int line_ = 0;
   std::vector<std::string> names_;
-  std::vector<std::string_view> fields_;
+  std::vector<std::string> fields_;
 };
 
 }  // namespace evbal

@@ -20,10 +20,7 @@ ChargingAssumption read_charging(const YamlValue& value) {
   charging.power_kw = map.require("power_kw").number(0.1, 10'000.0);
   const YamlValue quantiles = map.require("session_quantiles");
   for (const auto& item : quantiles.items()) {
-    charging.session_quantiles.push_back(item.duration());
-    if (charging.session_quantiles.back() < 1.0 || charging.session_quantiles.back() > kMaxMinutes) {
-      throw item.error("`" + item.text() + "` is no session length; give 1min to 24h");
-    }
+    charging.session_quantiles.push_back(read_session_minutes(item));
   }
   if (charging.session_quantiles.size() < 2 ||
       !std::is_sorted(charging.session_quantiles.begin(), charging.session_quantiles.end())) {

@@ -1,8 +1,9 @@
 #include "agents/world/regions_file.hpp"
 
 #include "agents/world/pack_keys.hpp"
-#include "agents/world/pack_text.hpp"
 #include "common/yaml.hpp"
+
+#include <nlohmann/json.hpp>
 
 #include <set>
 
@@ -70,11 +71,30 @@ Station read_station(const YamlValue& value, const std::vector<std::string>& reg
   return station;
 }
 
-/// One polygon of a MultiPolygon, closed.
-std::string polygon(const std::vector<LatLon>& ring) {
-  std::vector<LatLon> closed = ring;
-  closed.push_back(ring.front());
-  return "[" + list(closed, position) + "]";
+using Json = nlohmann::ordered_json;
+
+Json position_json(LatLon point) {
+  return {point.lon, point.lat};
+}
+
+/// One polygon of a MultiPolygon: its only ring, closed.
+Json polygon_json(const std::vector<LatLon>& ring) {
+  Json positions = Json::array();
+  for (const LatLon point : ring) {
+    positions.push_back(position_json(point));
+  }
+  positions.push_back(position_json(ring.front()));
+  return Json::array({positions});
+}
+
+Json feature_json(const Region& region) {
+  Json polygons = Json::array();
+  for (const auto& ring : region.outline) {
+    polygons.push_back(polygon_json(ring));
+  }
+  return {{"type", "Feature"},
+          {"properties", {{"name", region.name}, {"centroid", position_json(region.centroid)}}},
+          {"geometry", {{"type", "MultiPolygon"}, {"coordinates", polygons}}}};
 }
 
 }  // namespace
@@ -95,16 +115,11 @@ std::vector<Region> read_regions(const std::filesystem::path& file) {
 }
 
 std::string regions_geojson(const std::vector<Region>& regions) {
-  std::string out = "{\"type\": \"FeatureCollection\", \"features\": [\n";
-  const std::size_t n = regions.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const Region& region = regions[i];
-    out += "{\"type\": \"Feature\", \"properties\": {\"name\": " + quoted(region.name) +
-           ", \"centroid\": " + position(region.centroid) +
-           "}, \"geometry\": {\"type\": \"MultiPolygon\", \"coordinates\": " + list(region.outline, polygon) + "}}" +
-           (i + 1 < n ? ",\n" : "\n");
+  std::string text = R"({"type":"FeatureCollection","features":[)";
+  for (const auto& region : regions) {
+    text += (&region == &regions.front() ? "\n" : ",\n") + feature_json(region).dump();
   }
-  return out + "]}\n";
+  return text + "\n]}\n";
 }
 
 std::vector<Station> read_stations(const YamlValue& value, const std::vector<Region>& regions) {

@@ -1,16 +1,14 @@
 #include "agents/world/world.hpp"
 
+#include "agents/world/pack_keys.hpp"
 #include "common/installation.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cstdlib>
 #include <map>
 #include <mutex>
 #include <optional>
 #include <sstream>
-#include <utility>
 
 namespace evbal {
 namespace {
@@ -155,7 +153,7 @@ void override_charging(const YamlValue& value, ChargingAssumption& charging) {
   if (const auto quantiles = map.find("session_quantiles")) {
     std::vector<double> minutes;
     for (const auto& item : quantiles->items()) {
-      minutes.push_back(item.duration());
+      minutes.push_back(read_session_minutes(item));
     }
     if (minutes.size() < 2 || !std::is_sorted(minutes.begin(), minutes.end())) {
       throw quantiles->error("expected at least two durations in ascending order, such as [12min, 40min, 90min]");
@@ -167,8 +165,7 @@ void override_charging(const YamlValue& value, ChargingAssumption& charging) {
 
 void override_passengers(const YamlValue& value, PassengerAssumption& passengers) {
   YamlMap map(value);
-  override_range(map, "patience", passengers.patience_low, passengers.patience_high,
-                 [](const YamlValue& end) { return end.duration(); });
+  override_range(map, "patience", passengers.patience_low, passengers.patience_high, read_patience);
   map.finish();
 }
 
@@ -218,22 +215,6 @@ std::vector<Station> read_stations(const YamlValue& value, const City& city) {
   return stations;
 }
 
-/// Shortest plain decimal that reads back as the same number.
-std::string plain(double value) {
-  std::array<char, 512> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed).ptr;
-  return {text.data(), end};
-}
-
-/// As a YAML text in double quotes.
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    result += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
-  }
-  return result + "\"";
-}
-
 std::string pack_name(const City& city) {
   const std::string name = city.folder.filename().string();
   const auto shipped = shipped_pack(name);
@@ -242,7 +223,7 @@ std::string pack_name(const City& city) {
 }
 
 std::string time_text(int minute_of_day) {
-  return quoted(time_of_day({.start = 0}, minute_of_day));
+  return time_of_day({.start = 0}, minute_of_day);
 }
 
 }  // namespace
@@ -295,33 +276,34 @@ World read_world(YamlMap& scenario) {
   return world;
 }
 
-std::string world_yaml(const World& world) {
+void write_world(YamlWriter& yaml, const World& world) {
+  constexpr auto one_line = YamlWriter::Layout::one_line;
   const City& city = world.city;
   const DayClock& clock = world.clock;
-  std::ostringstream out;
-  out << "city: " << quoted(pack_name(city)) << "\n"
-      << "day: " << quoted(world.day.date) << "\n"
-      << "seed: " << world.seed << "\n"
-      << "demand: " << demand_models[static_cast<std::size_t>(world.demand)] << "\n"
-      << "clock: {start: " << time_text(clock.start) << ", end: " << time_text(clock.end) << ", tick: " << clock.tick
-      << "min, step: " << clock.step << "min, plan_every: " << clock.plan_every << "min}\n"
-      << "fleet: {vehicles: " << city.fleet.vehicles << ", battery_kwh: " << plain(city.fleet.battery_kwh)
-      << ", km_per_kwh: " << plain(city.fleet.km_per_kwh) << ", initial_charge: ["
-      << plain(city.fleet.initial_charge_low) << ", " << plain(city.fleet.initial_charge_high) << "]}\n"
-      << "charging: {power_kw: " << plain(city.charging.power_kw) << ", session_quantiles: [";
-  const char* comma = "";
+  yaml.key("city").text(pack_name(city)).key("day").text(world.day.date);
+  yaml.key("seed").number(world.seed).key("demand").word(demand_models[static_cast<std::size_t>(world.demand)]);
+  yaml.key("clock").begin_map(one_line);
+  yaml.key("start").text(time_text(clock.start)).key("end").text(time_text(clock.end));
+  yaml.key("tick").minutes(clock.tick).key("step").minutes(clock.step);
+  yaml.key("plan_every").minutes(clock.plan_every).end_map();
+  yaml.key("fleet").begin_map(one_line).key("vehicles").number(city.fleet.vehicles);
+  yaml.key("battery_kwh").number(city.fleet.battery_kwh).key("km_per_kwh").number(city.fleet.km_per_kwh);
+  yaml.key("initial_charge").begin_list().number(city.fleet.initial_charge_low);
+  yaml.number(city.fleet.initial_charge_high).end_list().end_map();
+  yaml.key("charging").begin_map(one_line).key("power_kw").number(city.charging.power_kw);
+  yaml.key("session_quantiles").begin_list();
   for (const double minutes : city.charging.session_quantiles) {
-    out << std::exchange(comma, ", ") << plain(minutes) << "min";
+    yaml.minutes(minutes);
   }
-  out << "]}\n"
-      << "passengers: {patience: [" << plain(city.passengers.patience_low) << "min, "
-      << plain(city.passengers.patience_high) << "min]}\n"
-      << (city.stations.empty() ? "stations: []\n" : "stations:\n");
+  yaml.end_list().end_map();
+  yaml.key("passengers").begin_map(one_line).key("patience").begin_list();
+  yaml.minutes(city.passengers.patience_low).minutes(city.passengers.patience_high).end_list().end_map();
+  yaml.key("stations").begin_list();
   for (const auto& station : city.stations) {
-    out << "  - {name: " << quoted(station.name) << ", region: " << station.region << ", points: " << station.points
-        << "}\n";
+    yaml.begin_map(one_line).key("name").text(station.name).key("region").number(station.region);
+    yaml.key("points").number(station.points).end_map();
   }
-  return out.str();
+  yaml.end_list();
 }
 
 }  // namespace evbal

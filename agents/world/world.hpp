@@ -4,6 +4,7 @@
 #include "agents/world/city.hpp"
 #include "common/clock.hpp"
 #include "common/yaml.hpp"
+#include "common/yaml_writer.hpp"
 
 #include <cstdint>
 #include <string>
@@ -40,7 +41,7 @@ City find_city(const std::string& name);
 /// passengers and stations replaces that field of the pack. Throws Error{bad_input} with file, line and reason.
 World read_world(YamlMap& scenario);
 
-/// The same keys as YAML text, every one of them explicit: read_world gives the same world back.
-std::string world_yaml(const World& world);
+/// Writes the same keys, every one of them explicit: read_world gives the same world back.
+void write_world(YamlWriter& yaml, const World& world);
 
 }  // namespace evbal

@@ -1,81 +1,76 @@
 #include "agents/world/city.hpp"
 #include "agents/world/factors.hpp"
-#include "agents/world/pack_table.hpp"
-#include "agents/world/pack_text.hpp"
 #include "agents/world/regions_file.hpp"
+#include "agents/world/stations_yaml.hpp"
+#include "common/clock.hpp"
 #include "common/contract.hpp"
+#include "common/decimal.hpp"
+#include "common/files.hpp"
 #include "common/new_folder.hpp"
+#include "common/table_text.hpp"
 
-#include <sstream>
 
 namespace evbal {
 namespace {
 
-std::string dates(const std::vector<std::string>& days) {
-  return list(days, [](const std::string& date) { return date; });
-}
+constexpr auto one_line = YamlWriter::Layout::one_line;
 
-std::string minutes(double amount) {
-  return decimal(amount) + "min";
-}
-
-std::string time_of_day(int minute) {
-  const auto two = [](int number) { return (number < 10 ? "0" : "") + std::to_string(number); };
-  return "\"" + two(minute / 60) + ":" + two(minute % 60) + "\"";
+void write_dates(YamlWriter& yaml, const std::string& key, const std::vector<std::string>& dates) {
+  yaml.key(key).begin_list(one_line);
+  for (const auto& date : dates) {
+    yaml.word(date);
+  }
+  yaml.end_list();
 }
 
 /// `regions` comes last: a truncated file lacks it.
 std::string city_yaml(const City& city) {
-  std::ostringstream out;
-  out << "format: evbal-city-1\n"
-      << "name: " << quoted(city.name) << "\n"
-      << "source: " << quoted(city.source) << "\n"
-      << "day_start: " << time_of_day(city.day_start) << "\n"
-      << "step: " << city.step_minutes << "min\n"
-      << "days:\n"
-      << "  train: " << dates(city.train_days) << "\n"
-      << "  test: " << dates(city.test_days) << "\n"
-      << "  holidays: " << dates(city.holidays) << "\n"
-      << "fleet:\n"
-      << "  vehicles: " << city.fleet.vehicles << "\n"
-      << "  battery_kwh: " << decimal(city.fleet.battery_kwh) << "\n"
-      << "  km_per_kwh: " << decimal(city.fleet.km_per_kwh) << "\n"
-      << "  initial_charge: [" << decimal(city.fleet.initial_charge_low) << ", "
-      << decimal(city.fleet.initial_charge_high) << "]\n"
-      << "charging:\n"
-      << "  power_kw: " << decimal(city.charging.power_kw) << "\n"
-      << "  session_quantiles: " << list(city.charging.session_quantiles, minutes) << "\n"
-      << "passengers:\n"
-      << "  patience: [" << minutes(city.passengers.patience_low) << ", " << minutes(city.passengers.patience_high)
-      << "]\n"
-      << stations_yaml(city.stations, city.regions) << (city.factors ? factors_yaml(*city.factors) : "")
-      << "regions: " << city.size() << "\n";
-  return out.str();
+  YamlWriter yaml;
+  yaml.key("format").word("evbal-city-1").key("name").text(city.name).key("source").text(city.source);
+  yaml.key("day_start").text(time_of_day({.start = 0}, city.day_start)).key("step").minutes(city.step_minutes);
+  yaml.key("days").begin_map();
+  write_dates(yaml, "train", city.train_days);
+  write_dates(yaml, "test", city.test_days);
+  write_dates(yaml, "holidays", city.holidays);
+  yaml.end_map().key("fleet").begin_map().key("vehicles").number(city.fleet.vehicles);
+  yaml.key("battery_kwh").number(city.fleet.battery_kwh).key("km_per_kwh").number(city.fleet.km_per_kwh);
+  yaml.key("initial_charge").begin_list(one_line).number(city.fleet.initial_charge_low);
+  yaml.number(city.fleet.initial_charge_high).end_list().end_map();
+  yaml.key("charging").begin_map().key("power_kw").number(city.charging.power_kw);
+  yaml.key("session_quantiles").begin_list(one_line);
+  for (const double minutes : city.charging.session_quantiles) {
+    yaml.minutes(minutes);
+  }
+  yaml.end_list().end_map().key("passengers").begin_map().key("patience").begin_list(one_line);
+  yaml.minutes(city.passengers.patience_low).minutes(city.passengers.patience_high).end_list().end_map();
+  write_stations(yaml, city.stations, city.regions);
+  if (city.factors) {
+    write_factors(yaml, *city.factors);
+  }
+  return yaml.key("regions").number(city.size()).finish();
 }
 
 std::string travel_csv(const City& city) {
-  std::string out = "from,to,km,minutes\n";
+  std::string text = "from,to,km,minutes\n";
   for (int from = 0; from < city.size(); ++from) {
     for (int to = 0; to < city.size(); ++to) {
-      out += std::to_string(from) + "," + std::to_string(to) + "," + decimal(city.km(from, to)) + "," +
-             decimal(city.minutes(from, to)) + "\n";
+      text += csv_row({decimal(from), decimal(to), decimal(city.km(from, to)), decimal(city.minutes(from, to))});
     }
   }
-  return out;
+  return text;
 }
 
 /// The total at the end shows a truncated file.
 std::string demand_csv(const DemandDay& day) {
-  std::string out = "step,origin,destination,trips\n";
+  std::string text = "step,origin,destination,trips\n";
   long long total = 0;
   for (std::size_t step = 0; step < day.steps.size(); ++step) {
     for (const auto& count : day.steps[step]) {
-      out += std::to_string(step) + "," + std::to_string(count.origin) + "," + std::to_string(count.destination) + "," +
-             std::to_string(count.trips) + "\n";
+      text += csv_row({decimal(step), decimal(count.origin), decimal(count.destination), decimal(count.trips)});
       total += count.trips;
     }
   }
-  return out + "end,,," + std::to_string(total) + "\n";
+  return text + csv_row({"end", "", "", decimal(total)});
 }
 
 }  // namespace
@@ -86,15 +81,15 @@ void write_city(const City& city, const std::vector<DemandDay>& days, const std:
   NewFolder pack(folder);
   std::error_code ignored;  // the files would say
   std::filesystem::create_directory(pack.path() / "demand", ignored);
-  write_text(pack.path() / "city.yaml", city_yaml(city));
-  write_text(pack.path() / "regions.geojson", regions_geojson(city.regions));
+  write_file(pack.path() / "city.yaml", city_yaml(city));
+  write_file(pack.path() / "regions.geojson", regions_geojson(city.regions));
   if (city.factors) {
     write_factor_tables(city, pack.path());
   } else {
-    write_text(pack.path() / "travel.csv", travel_csv(city));
+    write_file(pack.path() / "travel.csv", travel_csv(city));
   }
   for (const auto& day : days) {
-    write_text(pack.path() / "demand" / (day.date + ".csv"), demand_csv(day));
+    write_file(pack.path() / "demand" / (day.date + ".csv"), demand_csv(day));
   }
   pack.keep();
 }

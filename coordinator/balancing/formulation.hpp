@@ -67,13 +67,13 @@ namespace evbal {
 
 /// The flow on an arc and the variable that says how much.
 struct ArcFlow {
-  Arc arc;          ///< the way
-  Variable amount;  ///< vehicles sent on it
+  Arc arc;
+  Variable amount;
 };
 
 /// The balancing problem of one controller as a convex program, and where its decisions stand in it.
 struct Formulation {
-  ConvexProgram program{"vehicles"};              ///< the problem
+  ConvexProgram program{"vehicles"};
   std::vector<std::vector<ArcFlow>> vacant;       ///< x, per step
   std::vector<std::vector<ArcFlow>> low_battery;  ///< y, per step
 };

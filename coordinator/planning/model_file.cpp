@@ -1,3 +1,4 @@
+#include "common/files.hpp"
 #include "coordinator/planning/city_model.hpp"
 #include "coordinator/planning/json_reader.hpp"
 
@@ -6,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <utility>
 
 namespace evbal {
@@ -225,20 +225,11 @@ void write_model(const CityModel& model, const std::filesystem::path& file) {
   }
   entries.emplace_back("periods", periods);
 
-  const std::filesystem::path unfinished = file.string() + ".unfinished";
-  std::ofstream out(unfinished);
-  const char* opening = "{";
+  std::string text;
   for (const auto& [key, value] : entries) {
-    out << std::exchange(opening, ",") << "\n\"" << key << "\": " << value.dump();
+    text += (text.empty() ? "{\n\"" : ",\n\"") + std::string(key) + "\": " + value.dump();
   }
-  out << "\n}\n";
-  out.close();
-  if (!out) {
-    std::error_code ignored;
-    std::filesystem::remove(unfinished, ignored);
-    throw bad_input(file.string(), 0, "cannot be written");
-  }
-  std::filesystem::rename(unfinished, file);
+  write_file(file, text + "\n}\n");
 }
 
 }  // namespace evbal

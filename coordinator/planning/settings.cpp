@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <utility>
 
 namespace evbal {
@@ -47,12 +46,6 @@ constexpr std::array<Count, 2> counts{{
 
 const std::vector<std::string> supplies = {"completions", "points"};  // by Supply
 
-std::string shortest(double value) {
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  return {text.data(), end};
-}
-
 BalancingParameters read_balancing(const YamlValue& value) {
   BalancingParameters out;
   YamlMap map(value);
@@ -89,21 +82,14 @@ Command read_command(const YamlValue& value) {
   return command_from(std::filesystem::path(value.file()).parent_path(), std::move(words));
 }
 
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    out += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
-  }
-  return out + "\"";
-}
-
 }  // namespace
 
 std::string name_complaint(const std::string& name) {
   const auto fits = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_'; };
-  return !name.empty() && std::ranges::all_of(name, fits)
+  constexpr std::size_t longest = 100;  // directories are named after it
+  return !name.empty() && name.size() <= longest && std::ranges::all_of(name, fits)
              ? ""
-             : "`" + name + "` is no name for a controller; use letters, digits, `-` and `_`";
+             : "`" + name + "` is no name for a controller; use 1 to 100 letters, digits, `-` and `_`";
 }
 
 std::string read_controller(const YamlValue& value, const Command& coordinator) {
@@ -143,25 +129,26 @@ PlanningSettings read_planning(YamlMap& scenario, const std::optional<Command>& 
   return out;
 }
 
-std::string planning_yaml(const PlanningSettings& settings) {
-  const std::string model =
-      settings.model.empty() ? own_model : quoted(std::filesystem::absolute(settings.model).string());
-  std::string command;
+void write_planning(YamlWriter& yaml, const PlanningSettings& settings) {
+  yaml.key("controller").word(settings.controller).key("coordinator").begin_list(YamlWriter::Layout::one_line);
   for (const auto& word : settings.coordinator) {
-    command += (command.empty() ? "" : ", ") + quoted(word);
+    yaml.text(word);
   }
-  std::string text = "controller: " + settings.controller + "\ncoordinator: [" + command +
-                     "]\nengine: " + settings.engine.name +
-                     "\niterations: " + std::to_string(settings.engine.max_iterations) + "\nmodel: " + model +
-                     "\ninnovation_test: " + (settings.innovation_test ? "true" : "false") + "\nbalancing:\n";
+  yaml.end_list().key("engine").word(settings.engine.name);
+  yaml.key("iterations").number(settings.engine.max_iterations).key("model");
+  if (settings.model.empty()) {
+    yaml.word(own_model);
+  } else {
+    yaml.text(std::filesystem::absolute(settings.model).string());
+  }
+  yaml.key("innovation_test").boolean(settings.innovation_test).key("balancing").begin_map();
   for (const Price& price : prices) {
-    text += std::string("  ") + price.key + ": " + shortest(settings.balancing.*price.field) + "\n";
+    yaml.key(price.key).number(settings.balancing.*price.field);
   }
   for (const Count& count : counts) {
-    text += std::string("  ") + count.key + ": " + std::to_string(settings.balancing.*count.field) + "\n";
+    yaml.key(count.key).number(settings.balancing.*count.field);
   }
-  text += "  supply: " + supplies[static_cast<std::size_t>(settings.balancing.supply)] + "\n";
-  return text;
+  yaml.key("supply").word(supplies[static_cast<std::size_t>(settings.balancing.supply)]).end_map();
 }
 
 std::filesystem::path model_file(const PlanningSettings& settings, const City& city) {

@@ -3,6 +3,7 @@
 #include "agents/world/city.hpp"
 #include "common/command.hpp"
 #include "common/yaml.hpp"
+#include "common/yaml_writer.hpp"
 #include "coordinator/balancing/problem.hpp"
 #include "coordinator/convex/engine.hpp"
 
@@ -39,8 +40,8 @@ std::string read_controller(const YamlValue& value, const Command& coordinator);
 /// What is wrong with `name` for a controller of somebody else's, and what would be right; empty if nothing is.
 std::string name_complaint(const std::string& name);
 
-/// The same keys as YAML text, every one of them explicit: read_planning gives the same settings back.
-std::string planning_yaml(const PlanningSettings& settings);
+/// Writes the same keys, every one of them explicit: read_planning gives the same settings back.
+void write_planning(YamlWriter& yaml, const PlanningSettings& settings);
 
 /// The file with the model of `city` that these settings mean.
 std::filesystem::path model_file(const PlanningSettings& settings, const City& city);

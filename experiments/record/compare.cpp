@@ -1,9 +1,10 @@
 #include "experiments/record/compare.hpp"
 
-#include "common/text_of_file.hpp"
+#include "common/files.hpp"
+#include "common/plain_text.hpp"
+#include "common/table_text.hpp"
 #include "experiments/record/compare_days.hpp"
 #include "experiments/record/summary.hpp"
-#include "experiments/record/text.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -42,13 +43,13 @@ Difference compare_csv(const fs::path& recorded, const fs::path& replayed, const
   if (was == is) {
     return std::nullopt;
   }
-  const auto was_lines = split(was, '\n');
-  const auto is_lines = split(is, '\n');
+  const auto was_lines = lines_of(was);
+  const auto is_lines = lines_of(is);
   const std::string file = recorded.filename().string() + ": ";
-  const auto names = split(is_lines.front(), ',');
+  const auto names = split_csv(is_lines.front());
   for (std::size_t row = 0; row < is_lines.size(); ++row) {
-    const auto was_cells = row < was_lines.size() ? split(was_lines[row], ',') : std::vector<std::string>{};
-    const auto is_cells = split(is_lines[row], ',');
+    const auto was_cells = row < was_lines.size() ? split_csv(was_lines[row]) : std::vector<std::string>{};
+    const auto is_cells = split_csv(is_lines[row]);
     for (std::size_t column = 0; column < std::max(was_cells.size(), is_cells.size()); ++column) {
       if (cell(was_cells, column) != cell(is_cells, column)) {
         const std::string place = row == 0 ? "header" : place_of(names, is_cells, clock);

@@ -1,6 +1,6 @@
 #include "experiments/record/compare_days.hpp"
 
-#include "experiments/record/text.hpp"
+#include "common/decimal.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
@@ -24,7 +24,7 @@ std::vector<std::string> tables_of(SQLite::Database& database) {
 }
 
 std::string shown(const SQLite::Column& column) {
-  return column.isFloat() ? shortest(column.getDouble()) : column.isNull() ? "null" : column.getString();
+  return column.isFloat() ? decimal(column.getDouble()) : column.isNull() ? "null" : column.getString();
 }
 
 /// A row by its columns' names, as text, in the order of the table; empty after the last row.

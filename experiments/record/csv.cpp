@@ -1,7 +1,8 @@
 #include "experiments/record/csv.hpp"
 
+#include "common/decimal.hpp"
+#include "common/table_text.hpp"
 #include "experiments/metrics/columns.hpp"
-#include "experiments/record/text.hpp"
 
 #include <vector>
 
@@ -10,13 +11,15 @@ namespace {
 
 template <class Line>
 std::string csv(const DayClock& clock, const std::vector<Line>& lines) {
-  std::string text = "start";
-  columns([&](const char* name, auto) { text.append(",").append(name); }, Line{});
+  std::vector<std::string> cells = {"start"};
+  columns([&](const char* name, auto) { cells.emplace_back(name); }, Line{});
+  std::string text = csv_row(cells);
   for (const auto& line : lines) {
-    text.append("\n").append(time_of_day(clock, line.step * clock.step));
-    columns([&](const char*, auto value) { text.append(",").append(shortest(value)); }, line);
+    cells = {time_of_day(clock, line.step * clock.step)};
+    columns([&](const char*, auto value) { cells.push_back(decimal(value)); }, line);
+    text += csv_row(cells);
   }
-  return text + "\n";
+  return text;
 }
 
 }  // namespace

@@ -1,8 +1,17 @@
 #include "experiments/record/database_table.hpp"
 
+#include <sqlite3.h>
+
 #include <array>
+#include <system_error>
 
 namespace evbal {
+
+Error cannot_write(const SQLite::Database& database, const SQLite::Exception& error) {
+  const int reason = sqlite3_system_errno(database.getHandle());
+  const std::string system = reason == 0 ? "" : " (" + std::generic_category().message(reason) + ")";
+  return run_failed(database.getFilename() + ": cannot be written: " + error.what() + system);
+}
 
 Table::Table(SQLite::Database& database, const std::string& name, const Row& like) {
   std::string columns;

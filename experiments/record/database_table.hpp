@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/error.hpp"
 #include "experiments/record/row.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -8,6 +9,9 @@
 #include <string>
 
 namespace evbal {
+
+/// Error{run_failed} of a database that cannot be written, with the system's reason if there is one.
+Error cannot_write(const SQLite::Database& database, const SQLite::Exception& error);
 
 /// A table of a database, to which rows are added.
 class Table {

@@ -80,43 +80,65 @@ struct DayFile::Tables {
   Table events;
   int event_tick = -1;
   std::size_t event_seq = 0;
+
+  /// What `change` does to the database. Throws Error{run_failed} if it cannot be written.
+  template <class Change>
+  void write(Change change) {
+    try {
+      change();
+    } catch (const SQLite::Exception& error) {
+      throw cannot_write(database, error);
+    }
+  }
+
+  void add(const TickRecord& record);
 };
+
+std::unique_ptr<DayFile::Tables> DayFile::created_tables(const std::filesystem::path& file) {
+  try {
+    return std::make_unique<Tables>(file);
+  } catch (const SQLite::Exception& error) {
+    throw run_failed(file.string() + ": cannot be written: " + error.what());
+  }
+}
 
 DayFile::DayFile(const std::filesystem::path& file, const std::vector<std::string>& region_names,
                  const std::vector<int>& points, const std::vector<RequestedFault>& faults)
-    : tables_(std::make_unique<Tables>(file)) {
-  for (std::size_t i = 0; i < region_names.size(); ++i) {
-    tables_->regions.add(region_row(i, region_names[i], points[i]));
-  }
-  for (std::size_t i = 0; i < faults.size(); ++i) {
-    tables_->faults.add(fault_row(i, faults[i]));
-  }
+    : tables_(created_tables(file)) {
+  tables_->write([&] {
+    for (std::size_t i = 0; i < region_names.size(); ++i) {
+      tables_->regions.add(region_row(i, region_names[i], points[i]));
+    }
+    for (std::size_t i = 0; i < faults.size(); ++i) {
+      tables_->faults.add(fault_row(i, faults[i]));
+    }
+  });
   commit();
 }
 
 DayFile::~DayFile() = default;
 
-void DayFile::add(const TickRecord& record) {
+void DayFile::Tables::add(const TickRecord& record) {
   const int tick = record.tick.tick;
-  tables_->injector.add(row_of({}, record.faults));
+  injector.add(row_of({}, record.faults));
   for (std::size_t i = 0; i < record.faults.effects.size(); ++i) {
-    tables_->effects.add(row_of(tick_key(tick, i), record.faults.effects[i]));
+    effects.add(row_of(tick_key(tick, i), record.faults.effects[i]));
   }
   for (const auto& report : record.exchange.reports) {
-    tables_->reports.add(row_of({}, report));
+    reports.add(row_of({}, report));
   }
   if (record.exchange.plan) {
-    tables_->plans.add(row_of({}, *record.exchange.plan));
+    plans.add(row_of({}, *record.exchange.plan));
     for (std::size_t i = 0; i < record.exchange.plan->moves.size(); ++i) {
-      tables_->moves.add(row_of(tick_key(tick, i), record.exchange.plan->moves[i]));
+      moves.add(row_of(tick_key(tick, i), record.exchange.plan->moves[i]));
     }
     const std::vector<Rejection>& rejected = record.exchange.plan->provenance.rejected;
     for (std::size_t i = 0; i < rejected.size(); ++i) {
-      tables_->rejections.add(row_of(tick_key(tick, i), rejected[i]));
+      rejections.add(row_of(tick_key(tick, i), rejected[i]));
     }
   }
   for (std::size_t i = 0; i < record.seen.size(); ++i) {
-    tables_->observed.add(row_of(region_key(tick, record.seen[i].region, i), record.seen[i].observed));
+    observed.add(row_of(region_key(tick, record.seen[i].region, i), record.seen[i].observed));
   }
   const auto add_all = [tick](Table& table, int region, const auto& messages) {
     for (std::size_t i = 0; i < messages.size(); ++i) {
@@ -124,22 +146,28 @@ void DayFile::add(const TickRecord& record) {
     }
   };
   for (const auto& said : record.exchange.departures) {
-    tables_->departures.add(row_of({}, said));
-    add_all(tables_->vehicles, said.region, said.departures);
-    add_all(tables_->fates, said.region, said.fates);
-    add_all(tables_->observed, said.region, said.observed);
+    departures.add(row_of({}, said));
+    add_all(vehicles, said.region, said.departures);
+    add_all(fates, said.region, said.fates);
+    add_all(observed, said.region, said.observed);
   }
+}
+
+void DayFile::add(const TickRecord& record) {
+  tables_->write([&] { tables_->add(record); });
 }
 
 void DayFile::event(int tick, const std::string& kind, const std::string& what) {
   tables_->event_seq = tick == tables_->event_tick ? tables_->event_seq + 1 : 0;
   tables_->event_tick = tick;
-  tables_->events.add(event_row(tick, tables_->event_seq, kind, what));
+  tables_->write([&] { tables_->events.add(event_row(tick, tables_->event_seq, kind, what)); });
 }
 
 void DayFile::commit() {
-  tables_->transaction->commit();
-  tables_->transaction.emplace(tables_->database);
+  tables_->write([&] {
+    tables_->transaction->commit();
+    tables_->transaction.emplace(tables_->database);
+  });
 }
 
 }  // namespace evbal

@@ -40,6 +40,8 @@ struct RequestedFault {
 /// `seq` counts the like entries of one message. Columns `origin_process_id` and `origin_seconds` of
 /// injector, reports, plans and departures name the writer of a message and its CPU seconds. They, and events of the
 /// kinds "process ended" and "process back", may differ between two runs of a scenario; nothing else does.
+///
+/// All members throw Error{run_failed} if the file cannot be written.
 class DayFile {
  public:
   /// Creates the file, which must not exist.
@@ -57,6 +59,7 @@ class DayFile {
 
  private:
   struct Tables;
+  static std::unique_ptr<Tables> created_tables(const std::filesystem::path& file);
   std::unique_ptr<Tables> tables_;
 };
 

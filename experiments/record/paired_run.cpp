@@ -1,8 +1,9 @@
 #include "experiments/record/paired_run.hpp"
 
 #include "common/contract.hpp"
-#include "common/text_of_file.hpp"
-#include "experiments/record/text.hpp"
+#include "common/decimal.hpp"
+#include "common/files.hpp"
+#include "common/table_text.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -23,7 +24,7 @@ void columns(Visit&& visit, const FaultCost& cost) {
 }
 
 std::string cell(const std::optional<int>& minutes) {
-  return "," + (minutes ? shortest(*minutes) : "");
+  return minutes ? decimal(*minutes) : "";
 }
 
 Json value(const std::optional<int>& minutes) {
@@ -31,21 +32,23 @@ Json value(const std::optional<int>& minutes) {
 }
 
 std::string csv(const RecordedRun& run, const std::vector<MetricCost>& costs) {
-  std::string text = "metric";
-  columns([&](const char* name, double) { text.append(",").append(name); }, FaultCost{});
-  text += ",recovered_min";
+  std::vector<std::string> cells = {"metric"};
+  columns([&](const char* name, double) { cells.emplace_back(name); }, FaultCost{});
+  cells.emplace_back("recovered_min");
   for (const auto& fault : run.faults) {
-    text += ",recovered_min:" + fault.name;
+    cells.push_back("recovered_min:" + fault.name);
   }
+  std::string text = csv_row(cells);
   for (const auto& [metric, cost] : costs) {
-    text += "\n" + metric;
-    columns([&](const char*, double number) { text.append(",").append(shortest(number)); }, cost);
-    text += cell(cost.recovered);
+    cells = {metric};
+    columns([&](const char*, double number) { cells.push_back(decimal(number)); }, cost);
+    cells.push_back(cell(cost.recovered));
     for (const auto& minutes : cost.by_fault) {
-      text += cell(minutes);
+      cells.push_back(cell(minutes));
     }
+    text += csv_row(cells);
   }
-  return text + "\n";
+  return text;
 }
 
 Json json(const RecordedRun& run, const std::vector<MetricCost>& costs) {

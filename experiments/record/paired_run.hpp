@@ -25,8 +25,10 @@ std::vector<MetricCost> costs_of(const RecordedRun& run, const RecordedRun& twin
 /// Writes what costs_of says into the run's faults.csv and, as key `without_faults`, its summary.json.
 ///
 ///     faults.csv       metric, with, without, cost, area, signed_area, band, recovered_min, and
-///                      recovered_min:NAME of each fault; empty where the day never came back
-///     without_faults   digest of the twin; metrics, by name, of the same fields, the faults' under by_fault
+///                      recovered_min:NAME of each fault; empty if the recovery was not seen before the
+///                      day ended
+///     without_faults   digest of the twin; metrics, by name, of the same fields, the faults' under by_fault;
+///                      null for what faults.csv leaves empty
 void write_costs(const RecordedRun& run, const RecordedRun& twin, const std::vector<MetricCost>& costs);
 
 }  // namespace evbal

@@ -1,14 +1,13 @@
 #include "experiments/record/recorded_run.hpp"
 
 #include "common/error.hpp"
-#include "common/text_of_file.hpp"
-#include "experiments/record/text.hpp"
+#include "common/files.hpp"
+#include "common/table_text.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <nlohmann/json.hpp>
 
 #include <charconv>
-#include <fstream>
 #include <sstream>
 
 namespace evbal {
@@ -42,9 +41,9 @@ std::map<std::string, std::vector<double>> read_columns(const fs::path& file) {
   std::istringstream lines(text_of_file(file));
   std::string line;
   std::getline(lines, line);
-  const auto names = split(line, ',');
+  const auto names = split_csv(line);
   for (int number = 2; std::getline(lines, line); ++number) {
-    const auto cells = split(line, ',');
+    const auto cells = split_csv(line);
     if (cells.size() != names.size()) {
       throw bad_input(file.string(), number, "has not as many columns as the header");
     }
@@ -78,6 +77,10 @@ RecordedRun read_run(const fs::path& folder) {
   if (fs::exists(folder / "INCOMPLETE") || !fs::exists(folder / "summary.json")) {
     throw bad_input(folder.string() + ": holds no finished run; give a directory that `evbal run` wrote to its end");
   }
+  return read_marked_run(folder);
+}
+
+RecordedRun read_marked_run(const fs::path& folder) {
   RecordedRun run;
   run.folder = folder;
   try {

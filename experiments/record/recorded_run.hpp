@@ -38,4 +38,7 @@ struct RecordedRun {
 /// Throws Error{bad_input} if `folder` holds no finished run.
 RecordedRun read_run(const std::filesystem::path& folder);
 
+/// The same of a run that has the mark INCOMPLETE because something is still to be added to its directory.
+RecordedRun read_marked_run(const std::filesystem::path& folder);
+
 }  // namespace evbal

@@ -2,7 +2,7 @@
 
 #include "agents/protocol/reflection.hpp"
 #include "agents/protocol/words.hpp"
-#include "experiments/record/text.hpp"
+#include "common/decimal.hpp"
 #include "faults/schedule/fault_types.hpp"
 
 #include <cstdint>
@@ -53,7 +53,7 @@ class RowWriter {
   void write(const std::string& name, const std::vector<std::int32_t>& values) {
     std::string text;
     for (const auto value : values) {
-      text.append(text.empty() ? "" : " ").append(shortest(value));
+      text.append(text.empty() ? "" : " ").append(decimal(value));
     }
     row_.push_back({name, text});
   }
@@ -61,8 +61,8 @@ class RowWriter {
   void write(const std::string& name, const std::vector<UnderWay>& cars) {
     std::string text;
     for (const auto& car : cars) {
-      text.append(text.empty() ? "" : " ").append(shortest(car.minute)).append(":");
-      text.append(word(car.errand)).append(":").append(shortest(car.count));
+      text.append(text.empty() ? "" : " ").append(decimal(car.minute)).append(":");
+      text.append(word(car.errand)).append(":").append(decimal(car.count));
     }
     row_.push_back({name, text});
   }

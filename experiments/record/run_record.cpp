@@ -3,10 +3,10 @@
 #include "agents/protocol/fingerprint.hpp"
 #include "common/contract.hpp"
 #include "common/error.hpp"
+#include "common/files.hpp"
 #include "experiments/record/csv.hpp"
 #include "experiments/record/row.hpp"
 #include "experiments/record/summary.hpp"
-#include "experiments/record/text.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -158,7 +158,11 @@ void RunRecord::add(const TickRecord& record) {
 }
 
 void RunRecord::break_off(const std::string& why) {
-  file_.event(static_cast<int>(ticks_.size()), "run failed", why);
+  try {
+    file_.event(static_cast<int>(ticks_.size()), "run failed", why);
+  } catch (const Error&) {
+    // The file cannot be written, which may be why the run breaks off. The caller says so, and the mark stays.
+  }
 }
 
 void RunRecord::note_not_injected() {
@@ -173,6 +177,10 @@ void RunRecord::note_not_injected() {
   }
 }
 
+void mark_complete(const fs::path& folder) {
+  fs::remove(folder / "INCOMPLETE");
+}
+
 RunResult RunRecord::finish() {
   const DayClock& clock = header_.frame.clock;
   EVBAL_EXPECT(static_cast<int>(ticks_.size()) == clock.ticks(), "every tick of the day");
@@ -184,7 +192,6 @@ RunResult RunRecord::finish() {
   write_file(folder_ / "steps.csv", steps_csv(clock, day));
   write_file(folder_ / "regions.csv", regions_csv(clock, day));
   write_file(folder_ / "summary.json", summary_json(header_, day, digest, ticks_, tick_seconds_, seconds));
-  fs::remove(folder_ / "INCOMPLETE");
   finished_ = true;
   return {folder_, header_.controller, digest, day.totals, count_fallbacks(ticks_), seconds};
 }

@@ -45,7 +45,7 @@ struct RunResult {
 ///     run.sqlite               what was said (day_file.hpp)
 ///     steps.csv, regions.csv   one row a step, one a step and region (metrics.hpp)
 ///     summary.json             what it came to (summary.hpp)
-///     INCOMPLETE               until finish(): how far the run came
+///     INCOMPLETE               until mark_complete(): how far the run came
 ///     without-faults           its twin, faults.csv what the faults cost (paired_run.hpp)
 ///
 /// If no tick was recorded when the object dies, what it created is removed again.
@@ -62,10 +62,12 @@ class RunRecord {
   /// Adds the next tick.
   void add(const TickRecord& record);
 
-  /// Notes why the run breaks off here, among the events of the tick that did not end.
+  /// Notes why the run breaks off here, among the events of the tick that did not end, if the file can still be
+  /// written.
   void break_off(const std::string& why);
 
-  /// Writes what is still missing; the record is complete then. All steps of the day must have been added.
+  /// Writes what is still missing but for what others add, who call mark_complete() at last. All steps of the day must
+  /// have been added.
   RunResult finish();
 
  private:
@@ -86,6 +88,9 @@ class RunRecord {
   Clock::time_point last_;
   bool finished_ = false;
 };
+
+/// Takes the mark INCOMPLETE from a run's directory, to which nothing is to be added any more.
+void mark_complete(const std::filesystem::path& folder);
 
 /// The digest of a day: faults, reports, plan and departures of every tick, in this order.
 std::string digest_of(const std::vector<TickRecord>& ticks);

@@ -2,6 +2,7 @@
 
 #include "agents/world/draws.hpp"
 #include "common/error.hpp"
+#include "common/files.hpp"
 #include "common/installation.hpp"
 #include "common/interrupt.hpp"
 #include "coordinator/planning/receding_horizon_planner.hpp"
@@ -11,7 +12,6 @@
 #include "experiments/progress/progress.hpp"
 #include "experiments/record/row.hpp"
 #include "experiments/record/summary.hpp"
-#include "experiments/record/text.hpp"
 
 #include <memory>
 

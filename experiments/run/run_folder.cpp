@@ -34,7 +34,8 @@ bool is_of_run(const fs::path& file) {
                                               "runs.sqlite-journal",
                                               "scenario.resolved.yaml"};
   const std::string folder = file.parent_path().filename();
-  return names.contains(file.filename()) || folder == "processes" || folder == "journals";
+  const bool unfinished = file.extension() == ".partial";  // a NewFile of a process that was killed
+  return unfinished || names.contains(file.filename()) || folder == "processes" || folder == "journals";
 }
 
 /// Whether the directory has the mark of a record that is not complete, and nothing that no run writes. Not one that

@@ -25,6 +25,7 @@ Twins::Twins(const std::vector<Run>& runs) {
   worker_.start(0, [&](std::size_t) {
     for (const auto& run : runs) {
       record({without_faults(run.scenario), twin_folder(run.folder)}, true);
+      mark_complete(twin_folder(run.folder));
     }
   });
 }

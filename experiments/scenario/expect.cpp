@@ -1,7 +1,6 @@
 #include "experiments/scenario/expect.hpp"
 
-#include <array>
-#include <charconv>
+#include "common/decimal.hpp"
 
 namespace evbal {
 namespace {
@@ -21,16 +20,10 @@ Expect read_one(const YamlValue& item) {
   return expect;
 }
 
-std::string bound_of(const Expect& expect) {
-  std::array<char, 32> bound{};
-  const auto end = std::to_chars(bound.data(), bound.data() + bound.size(), expect.bound).ptr;
-  return {bound.data(), end};
-}
-
 }  // namespace
 
 std::string Expect::words() const {
-  return (at_most ? "at most " : "at least ") + bound_of(*this);
+  return (at_most ? "at most " : "at least ") + decimal(bound);
 }
 
 const std::vector<std::string>& expectable_metrics() {
@@ -47,8 +40,9 @@ std::vector<Expect> read_expect(const YamlValue& list) {
   return all;
 }
 
-std::string expect_yaml(const Expect& expect) {
-  return "{metric: " + expect.metric + (expect.at_most ? ", at_most: " : ", at_least: ") + bound_of(expect) + "}";
+void write_expect(YamlWriter& yaml, const Expect& expect) {
+  yaml.begin_map(YamlWriter::Layout::one_line).key("metric").word(expect.metric);
+  yaml.key(expect.at_most ? "at_most" : "at_least").number(expect.bound).end_map();
 }
 
 }  // namespace evbal

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/yaml.hpp"
+#include "common/yaml_writer.hpp"
 
 #include <string>
 #include <vector>
@@ -27,7 +28,7 @@ const std::vector<std::string>& expectable_metrics();
 /// Reads a list of `{metric: lost, at_most: 900}`. Throws Error{bad_input}.
 std::vector<Expect> read_expect(const YamlValue& list);
 
-/// `{metric: lost, at_most: 900}`, which read_expect takes as an item.
-std::string expect_yaml(const Expect& expect);
+/// Writes `{metric: lost, at_most: 900}`, which read_expect takes as an item.
+void write_expect(YamlWriter& yaml, const Expect& expect);
 
 }  // namespace evbal

@@ -1,7 +1,8 @@
 #include "experiments/scenario/network_conditions.hpp"
 
+#include "common/decimal.hpp"
+
 #include <cmath>
-#include <sstream>
 
 namespace evbal {
 
@@ -24,11 +25,9 @@ NetworkConditions read_network(const YamlValue& value) {
   return network;
 }
 
-std::string network_yaml(const NetworkConditions& network) {
-  std::ostringstream yaml;
-  yaml.precision(15);
-  yaml << "{loss: " << network.loss << ", delay: " << network.delay_ms << "ms}";
-  return yaml.str();
+void write_network(YamlWriter& yaml, const NetworkConditions& network) {
+  yaml.begin_map(YamlWriter::Layout::one_line).key("loss").number(network.loss);
+  yaml.key("delay").word(decimal(network.delay_ms) + "ms").end_map();
 }
 
 }  // namespace evbal

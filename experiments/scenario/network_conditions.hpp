@@ -1,8 +1,7 @@
 #pragma once
 
 #include "common/yaml.hpp"
-
-#include <string>
+#include "common/yaml_writer.hpp"
 
 namespace evbal {
 
@@ -15,7 +14,7 @@ struct NetworkConditions {
 /// Reads {loss: 0.1, delay: 20ms}; either may be left out. Throws Error{bad_input} with file and line.
 NetworkConditions read_network(const YamlValue& value);
 
-/// The same as YAML text: read_network gives it back.
-std::string network_yaml(const NetworkConditions& network);
+/// Writes the same map: read_network gives it back.
+void write_network(YamlWriter& yaml, const NetworkConditions& network);
 
 }  // namespace evbal

@@ -1,11 +1,11 @@
 #include "experiments/scenario/scenario.hpp"
 
 #include "common/installation.hpp"
+#include "common/plain_text.hpp"
 #include "coordinator/balancing/controllers.hpp"
 #include "coordinator/convex/engine.hpp"
 
 #include <algorithm>
-#include <sstream>
 
 namespace evbal {
 namespace {
@@ -68,11 +68,8 @@ std::string known_word(const std::string& option, const std::string& word, const
   if (std::find(words.begin(), words.end(), word) != words.end()) {
     return word;
   }
-  std::string all;
-  for (const auto& known : words) {
-    all += (all.empty() ? "`" : ", `") + known + "`";
-  }
-  throw bad_input(option + ": `" + word + "` is not known" + did_you_mean(word, words) + "; choose one of " + all);
+  throw bad_input(option + ": `" + word + "` is not known" + did_you_mean(word, words) + "; choose one of " +
+                  listed(words));
 }
 
 /// A controller of the command line: one of evbal's or, with another coordinator, any that may have a name.
@@ -109,22 +106,17 @@ void apply(const Overrides& overrides, Scenario& scenario) {
   scenario.world.seed = overrides.seed.value_or(scenario.world.seed);
 }
 
-/// As a YAML text in double quotes.
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    result += (c == '"' || c == '\\' ? "\\" : "") + std::string(1, c);
+/// The name that the file gives, else the file's own.
+std::string read_name(YamlMap& map) {
+  if (const auto name = map.find("name")) {
+    return name->file_name();
   }
-  return result + "\"";
-}
-
-std::string indented(const std::string& text) {
-  std::istringstream lines(text);
-  std::string result;
-  for (std::string line; std::getline(lines, line);) {
-    result += "  " + line + "\n";
+  const std::string& file = map.value().file();
+  std::string name = std::filesystem::path(file).stem().string();
+  if (const auto complaint = file_name_complaint(name); !complaint.empty()) {
+    throw bad_input(file, 0, "the file's name, which the scenario takes for want of `name`, " + complaint);
   }
-  return result;
+  return name;
 }
 
 }  // namespace
@@ -141,8 +133,7 @@ Scenario read_scenario(const YamlValue& yaml, const Overrides& overrides) {
   YamlMap map(yaml);
   map.require("schema").integer(1, 1);
   Scenario scenario;
-  const auto name = map.find("name");
-  scenario.name = name ? name->text() : std::filesystem::path(yaml.file()).stem().string();
+  scenario.name = read_name(map);
   scenario.world = read_world(map);
   scenario.planning = read_planning(map, overrides.coordinator);
   scenario.controllers = read_controllers(map, scenario.planning);
@@ -177,20 +168,22 @@ Scenario read_scenario(const YamlValue& yaml, const Overrides& overrides) {
 std::string resolved_yaml(const Scenario& scenario, const std::string& controller) {
   PlanningSettings planning = scenario.planning;
   planning.controller = controller;
-  std::string yaml = "schema: 1\nname: " + quoted(scenario.name) + "\n";
-  yaml += world_yaml(scenario.world);
-  yaml += planning_yaml(planning);
-  yaml += "transport: " + scenario.transport + "\n";
-  yaml += "regions_per_process: " + std::to_string(scenario.regions_per_process) + "\n";
+  YamlWriter yaml;
+  yaml.key("schema").number(1).key("name").text(scenario.name);
+  write_world(yaml, scenario.world);
+  write_planning(yaml, planning);
+  yaml.key("transport").word(scenario.transport).key("regions_per_process").number(scenario.regions_per_process);
   if (scenario.network) {
-    yaml += "network: " + network_yaml(*scenario.network) + "\n";
+    yaml.key("network");
+    write_network(yaml, *scenario.network);
   }
-  yaml += "faults:\n" + indented(schedule_yaml(scenario.schedule, scenario.world.clock));
-  yaml += scenario.expect.empty() ? "expect: []\n" : "expect:\n";
+  yaml.key("faults").begin_map();
+  write_schedule(yaml, scenario.schedule, scenario.world.clock);
+  yaml.end_map().key("expect").begin_list();
   for (const auto& expect : scenario.expect) {
-    yaml += "  - " + expect_yaml(expect) + "\n";
+    write_expect(yaml, expect);
   }
-  return yaml;
+  return yaml.end_list().finish();
 }
 
 }  // namespace evbal

@@ -1,6 +1,7 @@
 #include "faults/schedule/schedule.hpp"
 
 #include "agents/protocol/words.hpp"
+#include "common/decimal.hpp"
 #include "faults/schedule/draw.hpp"
 #include "faults/schedule/entry.hpp"
 #include "faults/schedule/fault_types.hpp"
@@ -9,8 +10,6 @@
 #include "faults/schedule/target.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 
 namespace evbal {
@@ -94,36 +93,38 @@ Fault read_fault(const YamlValue& entry, const FaultContext& context) {
   return fault;
 }
 
-/// The shortest decimal that reads back as the same number.
-std::string exact(double x) {
-  std::array<char, 32> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
-}
-
-std::string magnitudes_yaml(const Fault& fault, const FaultType& type) {
-  std::string text;
+void write_magnitudes(YamlWriter& yaml, const Fault& fault, const FaultType& type) {
+  yaml.key(type.magnitude).begin_list(YamlWriter::Layout::one_line);
   for (const double magnitude : fault.magnitudes) {
-    text += (text.empty() ? "" : ", ") + exact(magnitude) + (type.unit == MagnitudeUnit::minutes ? "min" : "");
+    yaml.word(decimal(magnitude) + (type.unit == MagnitudeUnit::minutes ? "min" : ""));
   }
-  return "[" + text + "]";
+  yaml.end_list();
 }
 
-std::string fault_yaml(const Fault& fault, const DayClock& clock) {
+void write_fault(YamlWriter& yaml, const Fault& fault, const DayClock& clock) {
   const FaultType& type = fault_type(fault.type);
-  std::string yaml = "  - name: \"" + fault.name + "\"\n";
-  const auto line = [&](bool has, const std::string& key, const std::string& value) {
-    yaml += has ? "    " + key + ": " + value + "\n" : "";
-  };
-  line(true, "type", type.name);
-  line(type.target != TargetKind::engine, "target", target_yaml(fault));
-  line(type.unit != MagnitudeUnit::none, type.magnitude, magnitudes_yaml(fault, type));
-  line(type.to, "to", std::to_string(fault.to));
-  line(true, "start", "\"" + time_of_day(clock, fault.start) + "\"");
-  line(true, type.duration, std::to_string(fault.duration) + "min");
-  line(type.ramp, "ramp", std::to_string(fault.ramp) + "min");
-  line(type.on_start, "on_start", std::string(word(fault.on_start)));
-  line(type.may_be_invisible(), "visible", fault.visible ? "true" : "false");
-  return yaml;
+  yaml.begin_map().key("name").text(fault.name).key("type").word(type.name);
+  if (type.target != TargetKind::engine) {
+    yaml.key("target");
+    write_target(yaml, fault);
+  }
+  if (type.unit != MagnitudeUnit::none) {
+    write_magnitudes(yaml, fault, type);
+  }
+  if (type.to) {
+    yaml.key("to").number(fault.to);
+  }
+  yaml.key("start").text(time_of_day(clock, fault.start)).key(type.duration).minutes(fault.duration);
+  if (type.ramp) {
+    yaml.key("ramp").minutes(fault.ramp);
+  }
+  if (type.on_start) {
+    yaml.key("on_start").word(std::string(word(fault.on_start)));
+  }
+  if (type.may_be_invisible()) {
+    yaml.key("visible").boolean(fault.visible);
+  }
+  yaml.end_map();
 }
 
 /// How many schedules are drawn.
@@ -219,18 +220,15 @@ Schedule read_resolved(YamlMap& scenario, const FaultContext& context) {
   return schedules.front();
 }
 
-std::string schedule_yaml(const Schedule& schedule, const DayClock& clock) {
-  std::string yaml = "schema: 1\nresolved: true\nseed: " + std::to_string(schedule.seed) + "\n";
-  yaml += "guard: {max_active: " + std::to_string(schedule.guard.max_active) +
-          ", min_working_points: " + std::to_string(schedule.guard.min_working_points) + ", overlap: reject}\n";
-  if (schedule.faults.empty()) {
-    return yaml + "faults: []\n";
-  }
-  yaml += "faults:\n";
+void write_schedule(YamlWriter& yaml, const Schedule& schedule, const DayClock& clock) {
+  yaml.key("schema").number(1).key("resolved").boolean(true).key("seed").number(schedule.seed);
+  yaml.key("guard").begin_map(YamlWriter::Layout::one_line).key("max_active").number(schedule.guard.max_active);
+  yaml.key("min_working_points").number(schedule.guard.min_working_points).key("overlap").word("reject").end_map();
+  yaml.key("faults").begin_list();
   for (const auto& fault : schedule.faults) {
-    yaml += fault_yaml(fault, clock);
+    write_fault(yaml, fault, clock);
   }
-  return yaml;
+  yaml.end_list();
 }
 
 }  // namespace evbal

@@ -3,6 +3,7 @@
 #include "agents/protocol/messages.hpp"
 #include "common/clock.hpp"
 #include "common/yaml.hpp"
+#include "common/yaml_writer.hpp"
 
 #include <cstdint>
 #include <string>
@@ -64,8 +65,8 @@ std::vector<Schedule> read_schedules(YamlMap& map, const FaultContext& context);
 /// Reads the key `faults` of a resolved scenario. Throws as read_schedules, and if anything is still to be drawn.
 Schedule read_resolved(YamlMap& scenario, const FaultContext& context);
 
-/// The schedule as YAML that read_schedules gives back unchanged.
-std::string schedule_yaml(const Schedule& schedule, const DayClock& clock);
+/// Writes the keys of a schedule that read_schedules gives back unchanged.
+void write_schedule(YamlWriter& yaml, const Schedule& schedule, const DayClock& clock);
 
 /// The effects that are active during a tick, of all families, by (fault, region). Pure.
 Faults faults_at(const Schedule& schedule, const DayClock& clock, int tick);

@@ -99,14 +99,6 @@ bool read_single_process(YamlMap& map, Target& target) {
   return false;
 }
 
-std::string listed(const std::vector<int>& regions) {
-  std::string text;
-  for (const int region : regions) {
-    text += (text.empty() ? "" : ", ") + std::to_string(region);
-  }
-  return "[" + text + "]";
-}
-
 }  // namespace
 
 Target read_target(YamlMap& entry, const FaultType& type, const FaultContext& context) {
@@ -131,26 +123,25 @@ Target read_target(YamlMap& entry, const FaultType& type, const FaultContext& co
   return target;
 }
 
-std::string target_yaml(const Fault& fault) {
+void write_target(YamlWriter& yaml, const Fault& fault) {
   const FaultType& type = fault_type(fault.type);
+  yaml.begin_map(YamlWriter::Layout::one_line);
   if (fault.process != ProcessRole::agent) {
-    return fault.process == ProcessRole::coordinator ? "{coordinator: true}" : "{injector: true}";
+    yaml.key(fault.process == ProcessRole::coordinator ? "coordinator" : "injector").boolean(true).end_map();
+    return;
   }
-  const std::string where = list_key(type) + (": " + listed(fault.regions));
-  switch (type.target) {
-    case TargetKind::engine:
-      return "";
-    case TargetKind::sensors:
-      return "{" + where + ", field: " + std::string(word(fault.field)) + "}";
-    case TargetKind::topics:
-      return "{topic: " + std::string(word(fault.topic)) + ", " + where + "}";
-    case TargetKind::regions:
-    case TargetKind::stations:
-    case TargetKind::processes:
-    case TargetKind::links:
-      break;
+  if (type.target == TargetKind::topics) {
+    yaml.key("topic").word(std::string(word(fault.topic)));
   }
-  return "{" + where + "}";
+  yaml.key(list_key(type)).begin_list();
+  for (const int region : fault.regions) {
+    yaml.number(region);
+  }
+  yaml.end_list();
+  if (type.target == TargetKind::sensors) {
+    yaml.key("field").word(std::string(word(fault.field)));
+  }
+  yaml.end_map();
 }
 
 std::string place_name(const Fault& fault, int region) {

@@ -25,8 +25,9 @@ struct Target {
 /// be right.
 Target read_target(YamlMap& entry, const FaultType& type, const FaultContext& context);
 
-/// `{regions: [3, 7]}`: the target of a drawn fault as YAML that read_target takes; empty for the engine.
-std::string target_yaml(const Fault& fault);
+/// Writes the target of a drawn fault, such as `{regions: [3, 7]}`, which read_target takes. The fault is not one of
+/// the engine, which has no target.
+void write_target(YamlWriter& yaml, const Fault& fault);
 
 /// "region 3", "agent 3" or "the coordinator": where the fault acts, for messages.
 std::string place_name(const Fault& fault, int region);

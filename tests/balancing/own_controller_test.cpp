@@ -1,6 +1,6 @@
 // Controllers of a user's own, built from what evbal's are made of.
 
-#include "common/text_of_file.hpp"
+#include "common/files.hpp"
 #include "coordinator/balancing/controllers.hpp"
 #include "tests/support/source_folder.hpp"
 #include "tools/samples/random_planning_data.hpp"

@@ -90,6 +90,43 @@ TEST(Yaml, PutsTheBlameForASettingWhereItStands) {
   expect_refused([&] { YamlMap(with("x.y")); }, "b.yaml:2", "`x` holds no keys");
 }
 
+TEST(Yaml, RefusesASecondDocument) {
+  expect_refused([] { YamlValue::parse("a: 1\n---\nb: 2\n", "a.yaml"); }, "a.yaml:3", "second document");
+  expect_refused([] { YamlValue::parse("a: 1\n...\nb: 2\n", "a.yaml"); }, "a.yaml:3", "second document");
+  expect_refused([] { YamlValue::parse("a: 1\n---\n", "a.yaml"); }, "a.yaml:2", "second document");
+  EXPECT_EQ(YamlMap(YamlValue::parse("# one\n---\na: 1\n...\n", "a.yaml")).require("a").integer(), 1);
+}
+
+TEST(Yaml, TakesDurationsAsTheyAreWritten) {
+  const std::vector<std::pair<std::string, int>> durations = {{"4.1h", 246}, {"0.1h", 6},      {"1.1h", 66},
+                                                              {"2.3h", 138}, {"17.85h", 1071}, {"120s", 2},
+                                                              {"4140s", 69}, {"60000ms", 1},   {"4140000ms", 69}};
+  for (const auto& [text, minutes] : durations) {
+    EXPECT_EQ(map_of("a: " + text + "\n").require("a").whole_minutes(), minutes) << text;
+  }
+  EXPECT_EQ(map_of("a: 0.5min\n").require("a").duration(), 0.5);
+  for (const std::string text : {"30s", "1.0001h", "4.100001h", "90001ms"}) {
+    expect_refused([&] { map_of("a: " + text + "\n").require("a").whole_minutes(); }, "a.yaml:1", "whole minutes");
+  }
+}
+
+TEST(Yaml, RefusesTextThatIsNotUtf8) {
+  for (const std::string bytes : {"\xff", "\xc3", "\xc0\xaf", "\xed\xa0\x80", "\xf5\x80\x80\x80", "M\xfcnchen"}) {
+    expect_refused([&] { YamlValue::parse("a: 1\nb: " + bytes + "\n", "a.yaml"); }, "a.yaml:2", "UTF-8");
+  }
+  EXPECT_EQ(map_of("a: M\u00fcnchen \u6df1\u5733 \U0001f696\n").require("a").text(),
+            "M\u00fcnchen \u6df1\u5733 \U0001f696");
+}
+
+TEST(Yaml, RefusesControlCharacters) {
+  expect_refused([] { YamlValue::parse("a: 1\n\x04\nb: 2\n", "a.yaml"); }, "a.yaml:2", "control character");
+  expect_refused([] { YamlValue::parse(std::string("a: 1\nb: x\0y\n", 12), "a.yaml"); }, "a.yaml:2",
+                 "control character");
+  expect_refused([] { map_of("a: \"x\\ty\"\n").require("a").text(); }, "a.yaml:1", "control character");
+  expect_refused([] { map_of("\na: \"x\\ny\"\n").require("a").text(); }, "a.yaml:2", "line break");
+  expect_refused([] { map_of("\"x\\ny\": 1\n"); }, "a.yaml:1", "line break");
+}
+
 TEST(Yaml, RefusesBrokenFiles) {
   expect_refused([] { YamlValue::parse("a: [1, 2\n", "a.yaml"); }, "a.yaml:2", "YAML");
   expect_refused([] { YamlValue::parse("", "a.yaml"); }, "a.yaml:1", "empty");

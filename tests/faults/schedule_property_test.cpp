@@ -1,6 +1,7 @@
 #include "agents/protocol/words.hpp"
 #include "faults/schedule/fault_types.hpp"
 #include "tests/faults/schedule_fixture.hpp"
+#include "tests/support/yaml_of.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -16,6 +17,10 @@ using testing::small_place;
 
 std::string one_of(std::vector<std::string> texts) {
   return *rc::gen::elementOf(std::move(texts));
+}
+
+std::string schedule_yaml(const Schedule& schedule, const DayClock& clock) {
+  return yaml_of([&](YamlWriter& yaml) { write_schedule(yaml, schedule, clock); });
 }
 
 std::string random_where() {

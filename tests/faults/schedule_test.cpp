@@ -136,7 +136,7 @@ TEST(Schedule, TakesTheExamplesOfItsPage) {
   EXPECT_EQ(drawn.faults.at(1).name, "hub-outage-1");
   EXPECT_TRUE(request.find("expect"));
   EXPECT_NO_THROW(request.finish());
-  YamlMap resolved(YamlValue::parse(example_under("## Drawn, and run again"), "faults.md"));
+  YamlMap resolved(YamlValue::parse(example_under("## The resolved schedule"), "faults.md"));
   EXPECT_EQ(read_resolved(resolved, place).faults.at(0).magnitudes, (std::vector<double>{4, 6}));
 }
 

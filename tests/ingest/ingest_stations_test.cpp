@@ -1,8 +1,8 @@
 #include "tools/ingest/ingest_stations.hpp"
 
 #include "agents/world/geometry.hpp"
-#include "agents/world/pack_text.hpp"
 #include "agents/world/regions_file.hpp"
+#include "agents/world/stations_yaml.hpp"
 #include "common/error.hpp"
 #include "tests/folder.hpp"
 

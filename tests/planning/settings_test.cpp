@@ -1,6 +1,7 @@
 #include "coordinator/planning/settings.hpp"
 
 #include "tests/folder.hpp"
+#include "tests/support/yaml_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +13,10 @@ PlanningSettings settings_of(const std::string& text) {
   PlanningSettings settings = read_planning(map);
   map.finish();
   return settings;
+}
+
+std::string planning_yaml(const PlanningSettings& settings) {
+  return yaml_of([&](YamlWriter& yaml) { write_planning(yaml, settings); });
 }
 
 TEST(Planning, ReadsWhatItIsGiven) {

@@ -1,8 +1,10 @@
 #include "experiments/record/paired_run.hpp"
 
+#include "common/error.hpp"
 #include "experiments/record/compare.hpp"
 #include "tests/folder.hpp"
 #include "tests/record/small_day.hpp"
+#include "tests/support/full_disk.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +18,7 @@ RecordedRun recorded(const std::filesystem::path& folder, const RunHeader& heade
   for (const auto& tick : day) {
     record.add(tick);
   }
-  record.finish();
+  mark_complete(record.finish().folder);
   return read_run(folder);
 }
 
@@ -60,6 +62,35 @@ TEST_F(PairedRun, WritesItDown) {
   EXPECT_NE(summary.find("\"without_faults\""), std::string::npos) << summary;
   EXPECT_NE(summary.find("\"jam\": null"), std::string::npos) << summary;
   EXPECT_EQ(read_run(run_folder()).totals, run_.totals);
+}
+
+TEST_F(PairedRun, KeepsTheSummaryIfTheDiskIsFull) {
+  const std::string before = text_of(run_folder() / "summary.json");
+  {
+    const FullDisk full(256);
+    try {
+      write_costs(run_, twin_, costs_of(run_, twin_));
+      FAIL() << "was written";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.status(), ExitStatus::run_failed);
+      EXPECT_NE(std::string(error.what()).find("faults.csv: cannot be written: File too large"), std::string::npos)
+          << error.what();
+    }
+  }
+  EXPECT_EQ(text_of(run_folder() / "summary.json"), before);
+  EXPECT_FALSE(std::filesystem::exists(run_folder() / "faults.csv"));
+  {
+    const FullDisk full(1000);  // enough for faults.csv, not for summary.json
+    EXPECT_THROW(write_costs(run_, twin_, costs_of(run_, twin_)), Error);
+  }
+  EXPECT_EQ(text_of(run_folder() / "summary.json"), before);
+}
+
+TEST_F(PairedRun, QuotesNamesInItsTable) {
+  run_.faults[0].name = "a \"jam\", west";
+  write_costs(run_, twin_, costs_of(run_, twin_));
+  const std::string csv = text_of(run_folder() / "faults.csv");
+  EXPECT_NE(csv.find(",\"recovered_min:a \"\"jam\"\", west\"\n"), std::string::npos) << csv;
 }
 
 TEST_F(PairedRun, IsNoDifferenceToAReplay) {

@@ -2,6 +2,7 @@
 #include "experiments/record/compare.hpp"
 #include "experiments/record/run_record.hpp"
 #include "tests/record/small_day.hpp"
+#include "tests/support/full_disk.hpp"
 
 #include <gtest/gtest.h>
 
@@ -55,6 +56,8 @@ TEST_F(Record, IsCompleteWhenFinished) {
   for (const char* file : {"scenario.resolved.yaml", "summary.json", "steps.csv", "regions.csv", "run.sqlite"}) {
     EXPECT_TRUE(fs::exists(folder_ / "a" / file)) << file;
   }
+  EXPECT_EQ(text_of(folder_ / "a" / "INCOMPLETE"), "recorded 4 of 4 ticks, until 05:20\n");
+  mark_complete(result.folder);
   EXPECT_FALSE(fs::exists(folder_ / "a" / "INCOMPLETE"));
   EXPECT_EQ(text_of(folder_ / "a" / "scenario.resolved.yaml"), "seed: 7\n");
   EXPECT_EQ(result.totals.flows.served, 1);
@@ -89,6 +92,24 @@ TEST_F(Record, IsMarkedIfItBreaksOff) {
   }
   EXPECT_EQ(text_of(folder_ / "a" / "INCOMPLETE"), "recorded 1 of 4 ticks, until 05:05\n");
   EXPECT_FALSE(fs::exists(folder_ / "a" / "summary.json"));
+}
+
+TEST_F(Record, SaysWhyItCannotGoOnIfTheDiskIsFull) {
+  RunRecord record(folder_ / "a", small_header());
+  const FullDisk full(100);
+  try {
+    for (const auto& tick : small_day()) {
+      record.add(tick);
+    }
+    record.finish();
+    FAIL() << "was recorded";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.status(), ExitStatus::run_failed);
+    EXPECT_NE(std::string(error.what()).find("run.sqlite: cannot be written: "), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("File too large"), std::string::npos) << error.what();
+  }
+  EXPECT_NO_THROW(record.break_off("the disk is full"));
+  EXPECT_TRUE(fs::exists(folder_ / "a" / "INCOMPLETE"));
 }
 
 TEST_F(Record, DigestKnowsWhatWasSaidAndNotByWhom) {

@@ -41,6 +41,9 @@ TEST(RecordedRun, GivesRegionsAndFaultsBack) {
     record.add(tick);
   }
   record.finish();
+  EXPECT_THROW(read_run(run_folder), Error) << "was taken as finished while it is marked";
+  EXPECT_EQ(read_marked_run(run_folder).ticks, 4);
+  mark_complete(run_folder);
   const RecordedRun run = read_run(run_folder);
   EXPECT_EQ(run.ticks, 4);
   EXPECT_EQ(run.by_region.at("demand"), (Eigen::MatrixXd(2, 2) << 4, 0, 1, 0).finished());

@@ -66,10 +66,5 @@ TEST(LineReader, RefusesWhatHasNoLines) {
   EXPECT_THROW(lines.next(line), Error);
 }
 
-TEST(SplitCsv, KeepsCommasInQuotes) {
-  EXPECT_EQ(split_csv("a,\"b, c\",,\"say \"\"d\"\"\""), (std::vector<std::string>{"a", "b, c", "", "say \"d\""}));
-  EXPECT_EQ(split_csv(""), std::vector<std::string>{""});
-}
-
 }  // namespace
 }  // namespace evbal

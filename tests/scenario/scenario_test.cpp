@@ -73,6 +73,13 @@ TEST_F(ScenarioFile, RefusesWhatIsWrong) {
   };
   for (const auto& wrong : std::vector<Case>{
            {"transprot: dds\n", 5, "did you mean `transport`"},
+           {"name: ../x\n", 5, "`/`"},
+           {"name: a/b\n", 5, "`/`"},
+           {"name: ..\n", 5, "begin with `.`"},
+           {"name: \"\"\n", 5, "bytes"},
+           {"name: " + std::string(101, 'x') + "\n", 5, "bytes"},
+           {"name: \"a\\nb\"\n", 5, "line break"},
+           {"name: \"a\xff\"\n", 5, "UTF-8"},
            {"transport: udp\n", 5, "choose one of `dds`, `inproc`"},
            {"regions_per_process: 0\n", 5, "from 1"},
            {"controller: robst\n", 5, "did you mean `robust`"},
@@ -101,6 +108,11 @@ TEST_F(ScenarioFile, RefusesWhatIsWrong) {
   expect_refused([&] { read_scenario(write("city: toy-5\n")); }, "a.yaml:1", "`schema` is missing");
   expect_refused([&] { read_scenario(write("schema: 2\n")); }, "a.yaml:1", "from 1 to 1");
   expect_refused([&] { read_scenario("/no/such.yaml"); }, "/no/such.yaml", "cannot be read");
+}
+
+TEST_F(ScenarioFile, RefusesANameThatItsOwnFileDoesNotGive) {
+  expect_refused([&] { read_scenario(write(head, "a\nb.yaml")); }, "b.yaml", "line break");
+  expect_refused([&] { read_scenario(write(head, "a\xff.yaml")); }, "a\xff.yaml", "UTF-8");
 }
 
 TEST_F(ScenarioFile, CommandLineTakesThePlaceOfTheFile) {
@@ -170,8 +182,9 @@ void expect_resolved_stands(const Scenario& scenario, const fs::path& file) {
 TEST_F(ScenarioFile, ResolvedScenarioReadsBackUnchanged) {
   const fs::path file = write("", "scenario.resolved.yaml");
   expect_resolved_stands(
-      read_scenario(write(head + "name: \"a \\\"quoted\\\" name\"\ntransport: inproc\nregions_per_process: 2\n"
-                                 "expect: [{metric: unserved_ratio, at_most: 0.15}, {metric: served, at_least: 1}]\n")),
+      read_scenario(write(
+          head + "name: \"a \\\"quoted\\\" \\\\name: #1, {no} | - ~\"\ntransport: inproc\nregions_per_process: 2\n"
+                 "expect: [{metric: unserved_ratio, at_most: 0.15}, {metric: served, at_least: 1}]\n")),
       file);
   for (const auto& entry : fs::directory_iterator(shipped)) {
     expect_resolved_stands(read_scenario(entry.path()), file);

@@ -165,13 +165,26 @@ TEST_F(SpoiltPack, RefusesAMissingUnit) {
   expect_refused("city.yaml:19", "no duration");
 }
 
+TEST_F(SpoiltPack, RefusesAPatienceThatNoCounterHolds) {
+  replace("city.yaml", "[8min, 20min]", "[8min, 99999999999h]");
+  expect_refused("city.yaml:19", "24h");
+}
+
+TEST_F(SpoiltPack, RefusesNamesThatAreNoText) {
+  replace("city.yaml", "region: \"r1\"", "region: \"r1\\nx\"");
+  expect_refused("city.yaml:21", "line break");
+  replace("city.yaml", "region: \"r1\\nx\"", "region: \"r1\"");
+  replace("regions.geojson", "\"r1\"", "\"r\xff\"");
+  expect_refused("regions.geojson:2", "UTF-8");
+}
+
 TEST_F(SpoiltPack, RefusesAnotherNumberOfRegions) {
   replace("city.yaml", "regions: 5", "regions: 54");
   expect_refused("city.yaml:23", "has 5 regions");
 }
 
 TEST_F(SpoiltPack, RefusesAnOpenRing) {
-  replace("regions.geojson", "\"coordinates\": [[[[-", "\"coordinates\": [[[[");
+  replace("regions.geojson", "\"coordinates\":[[[[-", "\"coordinates\":[[[[");
   expect_refused("regions.geojson:2", "a ring");
 }
 

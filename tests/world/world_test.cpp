@@ -1,5 +1,7 @@
 #include "agents/world/world.hpp"
 
+#include "tests/support/yaml_of.hpp"
+
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -26,6 +28,10 @@ void expect_refused(const std::string& extra, const std::string& place, const st
     EXPECT_TRUE(std::string(error.what()).starts_with(place + ": ")) << error.what();
     EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
   }
+}
+
+std::string world_yaml(const World& world) {
+  return yaml_of([&](YamlWriter& yaml) { write_world(yaml, world); });
 }
 
 TEST(World, TakesThePackAsItIs) {
@@ -78,6 +84,9 @@ TEST(World, RefusesWhatDoesNotFit) {
   expect_refused("fleet: {vehicles: -3}\n", "a.yaml:4", "from 0");
   expect_refused("fleet: {initial_charge: [0.9, 0.3]}\n", "a.yaml:4", "low not above high");
   expect_refused("charging: {session_quantiles: [20min, 10min]}\n", "a.yaml:4", "ascending");
+  expect_refused("charging: {session_quantiles: [20min, 99999999999h]}\n", "a.yaml:4", "24h");
+  expect_refused("charging: {session_quantiles: [0min, 10min]}\n", "a.yaml:4", "1min");
+  expect_refused("passengers: {patience: [1min, 99999999999h]}\n", "a.yaml:4", "24h");
   expect_refused("passengers: {patience: [8, 20]}\n", "a.yaml:4", "duration");
   expect_refused("clock: {tick: 7min}\n", "a.yaml:4", "tick must divide");
   expect_refused("clock: {start: \"04:00\"}\n", "a.yaml:4", "records");

@@ -1,3 +1,5 @@
+#include "common/files.hpp"
+#include "common/scratch_folder.hpp"
 #include "coordinator/balancing/formulation.hpp"
 #include "coordinator/convex/engine.hpp"
 #include "coordinator/convex/linear_relaxation.hpp"
@@ -9,7 +11,6 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -61,19 +62,15 @@ MomentSet at_stations(MomentSet set) {
 
 // Theorem 1's semidefinite program for one of the two uncertain vectors, whatever multiplies it, by SDPA.
 std::optional<Cost> by_semidefinite_program(const MomentSet& set) {
-  std::string folder = "/tmp/evbal-bench-XXXXXX";
-  if (mkdtemp(folder.data()) == nullptr) {
-    return std::nullopt;
-  }
+  const ScratchFolder folder;
   const auto prepare = [&]() -> Work {
-    std::ofstream(folder + "/problem.dat-s") << inner_problem(set, Eigen::VectorXd::Ones(set.mean.size()));
-    const std::string command = "cd " + folder + " && OMP_NUM_THREADS=1 sdpa -ds problem.dat-s -o out >log 2>&1" +
+    write_file(folder.path() / "problem.dat-s", inner_problem(set, Eigen::VectorXd::Ones(set.mean.size())));
+    const std::string command = "cd " + folder.path().string() +
+                                " && OMP_NUM_THREADS=1 sdpa -ds problem.dat-s -o out >log 2>&1" +
                                 " && grep -q 'phase.value *= *pdOPT' out";
     return [command] { return std::system(command.c_str()) == 0; };
   };
-  const auto cost = measure(prepare, limit);
-  std::filesystem::remove_all(folder);
-  return cost;
+  return measure(prepare, limit);
 }
 
 std::optional<Cost> sum(const std::optional<Cost>& one, const std::optional<Cost>& other) {

@@ -64,7 +64,7 @@ std::string cost_table(const std::vector<MetricCost>& costs) {
   std::vector<std::vector<std::string>> rows = {{"", "with", "without", "cost", "area", "back after"}};
   for (const auto& [metric, cost] : costs) {
     rows.push_back({metric, fixed(cost.with, 1), fixed(cost.without, 1), fixed(cost.cost(), 1), fixed(cost.area, 1),
-                    cost.recovered ? std::to_string(*cost.recovered) + " min" : "never"});
+                    cost.recovered ? std::to_string(*cost.recovered) + " min" : "not seen before the day ended"});
   }
   return aligned(rows, 1);
 }

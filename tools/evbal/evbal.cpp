@@ -1,6 +1,7 @@
 #include "agents/world/world.hpp"
 #include "common/error.hpp"
 #include "common/pin.hpp"
+#include "common/plain_text.hpp"
 #include "common/version.hpp"
 #include "tools/evbal/compare_command.hpp"
 #include "tools/evbal/doctor_command.hpp"
@@ -17,6 +18,20 @@
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
+#include <string>
+
+namespace {
+
+/// What is typed ends up in records and pages, which hold text.
+void check_words(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    if (const auto complaint = evbal::line_complaint(argv[i]); !complaint.empty()) {
+      throw evbal::bad_input("word " + std::to_string(i) + " of the command line " + complaint);
+    }
+  }
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   evbal::pin_arithmetic(argv);
@@ -36,6 +51,7 @@ int main(int argc, char** argv) {
   evbal::add_verify_command(app);
   evbal::add_doctor_command(app);
   try {
+    check_words(argc, argv);
     app.parse(argc, argv);
     return static_cast<int>(evbal::ExitStatus::ok);
   } catch (const CLI::Success& help) {

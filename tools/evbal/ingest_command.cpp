@@ -1,9 +1,10 @@
 #include "tools/evbal/ingest_command.hpp"
 
-#include "agents/world/pack_text.hpp"
 #include "agents/world/regions_file.hpp"
+#include "agents/world/stations_yaml.hpp"
 #include "agents/world/synthetic.hpp"
 #include "common/error.hpp"
+#include "common/files.hpp"
 #include "common/new_folder.hpp"
 #include "tools/gps/ingest_gps.hpp"
 #include "tools/ingest/ingest_od.hpp"
@@ -129,8 +130,8 @@ void add_partition(CLI::App& ingest) {
     NewFolder folder(arguments->out);
     const Partition made =
         partition_zones(read_bordering_zones(arguments->zones, arguments->fields), arguments->regions);
-    write_text(folder.path() / "regions.geojson", regions_geojson(made.regions));
-    write_text(folder.path() / "zones.csv", zones_csv(made));
+    write_file(folder.path() / "regions.geojson", regions_geojson(made.regions));
+    write_file(folder.path() / "zones.csv", zones_csv(made));
     folder.keep();
     std::cout << made.report << "wrote " << arguments->out << "\n";
   });
@@ -163,7 +164,7 @@ void add_stations(CLI::App& ingest) {
     const StationFormat format = read_station_format(map);
     map.finish();
     const IngestedStations made = ingest_stations(arguments->table, format, regions, arguments->snap_m);
-    write_text(arguments->out, stations_yaml(made.stations, regions));
+    write_file(arguments->out, stations_yaml(made.stations, regions));
     std::cout << made.report << "wrote " << arguments->out << "\n";
   });
 }

@@ -1,14 +1,13 @@
 #include "tools/evbal/replay_command.hpp"
 
 #include "common/error.hpp"
+#include "common/files.hpp"
 #include "common/interrupt.hpp"
-#include "common/text_of_file.hpp"
+#include "common/scratch_folder.hpp"
 #include "experiments/record/compare.hpp"
-#include "experiments/record/text.hpp"
 #include "experiments/run/record_day.hpp"
 
 #include <CLI/CLI.hpp>
-#include <unistd.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -19,35 +18,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A directory of our own that goes with its owner.
-class Scratch {
- public:
-  Scratch() : folder_(fs::temp_directory_path() / ("evbal-replay-" + std::to_string(getpid()))) {}
-  ~Scratch() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-
-  const fs::path& folder() const { return folder_; }
-
- private:
-  fs::path folder_;
-};
-
 void replay(const fs::path& folder, bool quiet) {
   catch_interrupts();
   const fs::path file = folder / "scenario.resolved.yaml";
   if (fs::exists(folder / "INCOMPLETE") || !fs::exists(file)) {
     throw bad_input(folder.string() + ": holds no finished run; give a directory that `evbal run` wrote to its end");
   }
-  const Scratch scratch;
+  const ScratchFolder scratch;
   try {
     const Scenario scenario = read_scenario(file);
-    const RunResult again = record_day(scenario, text_of_file(file), scratch.folder(),
+    const RunResult again = record_day(scenario, text_of_file(file), scratch.path(),
                                        {.transport = own_transport(scenario), .quiet = quiet});
-    if (const auto difference = first_difference(folder, scratch.folder(), scenario.world.clock)) {
+    if (const auto difference = first_difference(folder, scratch.path(), scenario.world.clock)) {
       throw run_failed(*difference);
     }
     std::printf("%s: the same in every tick, digest %s\n", folder.c_str(), again.digest.c_str());

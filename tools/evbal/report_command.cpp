@@ -1,7 +1,7 @@
 #include "tools/evbal/report_command.hpp"
 
 #include "common/error.hpp"
-#include "experiments/record/text.hpp"
+#include "common/files.hpp"
 #include "tools/evbal/report_content.hpp"
 
 #include <CLI/CLI.hpp>

@@ -1,7 +1,7 @@
 #include "tools/evbal/report_content.hpp"
 
 #include "common/error.hpp"
-#include "common/text_of_file.hpp"
+#include "common/files.hpp"
 #include "coordinator/planning/city_model.hpp"
 #include "experiments/record/paired_run.hpp"
 #include "experiments/scenario/scenario.hpp"
@@ -17,12 +17,12 @@ namespace fs = std::filesystem;
 
 const std::vector<std::string> hourly_columns = {"idle_km", "unfairness_demand", "unfairness_charging", "lost"};
 
-/// What stands in for the record where there is none: nothing.
-void if_any(const std::function<void()>& add) {
+/// Adds to the page what `add` reads, or that `what` is left out and why.
+void add_or_say(PageContent& content, const std::string& what, const std::function<void()>& add) {
   try {
     add();
-  } catch (const Error&) {
-    return;
+  } catch (const Error& error) {
+    content.left_out.push_back("Left out: " + what + ". " + error.what());
   }
 }
 
@@ -42,7 +42,8 @@ ForecastFigure figure_of(const SeriesModel& series, const CityModel& model, cons
 
 std::vector<ForecastFigure> forecast_figures(const RecordedRun& run, const CityModel& model, const Scenario& scenario) {
   if (model.regions() != run.regions) {
-    return {};
+    throw bad_input("the model has " + std::to_string(model.regions()) + " regions, the run " +
+                    std::to_string(run.regions));
   }
   std::vector<ForecastFigure> figures{figure_of(model.demand, model, scenario, run.by_region.at("demand")),
                                       figure_of(model.completions, model, scenario, run.by_region.at("completions"))};
@@ -99,14 +100,27 @@ ReportedRun reported(const RecordedRun& run) {
   return reported;
 }
 
+/// The map of the runs' city, if all are of one with as many regions.
+void add_map(const std::vector<RecordedRun>& runs, const City& city, PageContent& content) {
+  const auto elsewhere =
+      std::find_if(runs.begin(), runs.end(), [&](const RecordedRun& run) { return run.regions != city.size(); });
+  if (elsewhere != runs.end()) {
+    throw bad_input(elsewhere->folder.string() + " has " + std::to_string(elsewhere->regions) + " regions, the city " +
+                    city.name + " has " + std::to_string(city.size()));
+  }
+  content.map = city_map(city.regions);
+}
+
 void add_runs(const std::vector<RecordedRun>& runs, PageContent& content) {
   std::transform(runs.begin(), runs.end(), std::back_inserter(content.runs), reported);
-  if_any([&] {
+  add_or_say(content, "map, forecasts and thresholds", [&] {
     const Scenario scenario = read_scenario(runs.front().folder / "scenario.resolved.yaml");
-    content.map = city_map(scenario.world.city.regions);
-    const CityModel model = model_of(scenario);
-    content.thresholds = thresholds_of(model);
-    content.forecasts = forecast_figures(runs.front(), model, scenario);
+    add_or_say(content, "map", [&] { add_map(runs, scenario.world.city, content); });
+    add_or_say(content, "forecasts and thresholds", [&] {
+      const CityModel model = model_of(scenario);
+      content.thresholds = thresholds_of(model);
+      content.forecasts = forecast_figures(runs.front(), model, scenario);
+    });
   });
 }
 
@@ -143,7 +157,7 @@ PageContent content_on(const fs::path& folder, const std::vector<std::string>& a
     add_runs(runs, content);
     return content;
   }
-  if_any([&] {
+  add_or_say(content, "forecasts and thresholds", [&] {
     const Scenario scenario = read_scenario(YamlValue::parse(content.sweep->origin.scenario, "sweep.sqlite"));
     const CityModel model = model_of(scenario);
     content.thresholds = thresholds_of(model);

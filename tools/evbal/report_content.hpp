@@ -9,8 +9,8 @@
 
 namespace evbal {
 
-/// The page on these runs (at least one), with what their city and its model add, if they are still there: a run
-/// outlives them.
+/// The page on these runs (at least one). Map, forecasts and thresholds come from the city's pack and model where the
+/// runs found them; what cannot be read there is left out, and the page says so.
 PageContent content_on(const std::vector<RecordedRun>& runs);
 
 /// The page on the finished sweep in `folder`, whose variants are compared with those named by `against` (none: the

@@ -1,10 +1,10 @@
 #include "tools/evbal/run_command.hpp"
 
+#include "common/decimal.hpp"
 #include "common/error.hpp"
 #include "common/interrupt.hpp"
 #include "experiments/record/paired_run.hpp"
 #include "experiments/record/recorded_run.hpp"
-#include "experiments/record/text.hpp"
 #include "experiments/run/run_folder.hpp"
 #include "experiments/run/twins.hpp"
 #include "experiments/study/executors/monte_carlo.hpp"
@@ -64,12 +64,12 @@ std::vector<RunResult> record_all(const std::vector<Run>& runs, bool quiet) {
   return results;
 }
 
-/// Writes the pages and what the faults cost, which it gives back as tables.
+/// Writes the pages and what the faults cost, which it gives back as tables. The runs are complete then.
 std::string write_reports(const fs::path& folder, const std::vector<RunResult>& results) {
   std::string tables;
   std::vector<RecordedRun> runs;
   for (const auto& result : results) {
-    runs.push_back(read_run(result.folder));
+    runs.push_back(read_marked_run(result.folder));
     if (!runs.back().faults.empty()) {
       const RecordedRun twin = read_run(twin_folder(result.folder));
       const auto costs = costs_of(runs.back(), twin);
@@ -82,6 +82,9 @@ std::string write_reports(const fs::path& folder, const std::vector<RunResult>& 
   if (runs.size() > 1) {
     write_report(folder / "report.html", runs);
   }
+  for (const auto& result : results) {
+    mark_complete(result.folder);
+  }
   return tables;
 }
 
@@ -92,7 +95,7 @@ void check_expectations(const Scenario& scenario, const std::vector<RunResult>& 
     for (const auto& [name, value] : named(result.totals)) {
       for (const auto& expect : scenario.expect) {
         if (expect.metric == name && !expect.holds(value)) {
-          failed += (failed.empty() ? "" : "; ") + result.controller + ": " + name + " is " + shortest(value) +
+          failed += (failed.empty() ? "" : "; ") + result.controller + ": " + name + " is " + decimal(value) +
                     ", expected " + expect.words();
         }
       }
@@ -133,7 +136,7 @@ void play_all_draws(const Scenario& scenario, const fs::path& folder, const Draw
       std::printf("%s%s, %zu draws of the faults\n%sworst: %s, %s %s; alone: evbal run %s\n\n",
                   &drawn == &result.controllers.front() ? "\n" : "", drawn.controller.c_str(), drawn.draws,
                   distribution_table(drawn.metrics).c_str(), drawn.worst.c_str(), drawn.worst_metric.c_str(),
-                  shortest(drawn.worst_value).c_str(), drawn.worst_file.c_str());
+                  decimal(drawn.worst_value).c_str(), drawn.worst_file.c_str());
     }
   }
   std::printf("%s\n", folder.c_str());

@@ -1,8 +1,7 @@
 #include "tools/evbal/sweep_command.hpp"
 
+#include "common/files.hpp"
 #include "common/interrupt.hpp"
-#include "common/text_of_file.hpp"
-#include "experiments/record/text.hpp"
 #include "experiments/study/statistics/page_markdown.hpp"
 #include "experiments/study/store/sweep_file.hpp"
 #include "experiments/study/store/sweep_origin.hpp"

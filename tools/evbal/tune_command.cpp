@@ -1,7 +1,7 @@
 #include "tools/evbal/tune_command.hpp"
 
+#include "common/files.hpp"
 #include "common/interrupt.hpp"
-#include "experiments/record/text.hpp"
 #include "experiments/study/design/tuning.hpp"
 #include "experiments/study/store/sweep_file.hpp"
 #include "tools/evbal/playing_options.hpp"

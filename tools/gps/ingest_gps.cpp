@@ -1,48 +1,40 @@
 #include "tools/gps/ingest_gps.hpp"
 
-#include "agents/world/pack_table.hpp"
 #include "agents/world/regions_file.hpp"
+#include "common/decimal.hpp"
+#include "common/error.hpp"
+#include "common/files.hpp"
+#include "common/table_text.hpp"
 #include "tools/gps/track.hpp"
 #include "tools/gps/transition_table.hpp"
 
 #include <cmath>
-#include <fstream>
 #include <optional>
 #include <sstream>
 
 namespace evbal {
 namespace {
 
-/// A table that is written row by row.
+/// A table that is written row by row and counts its rows.
 class OutTable {
  public:
-  OutTable(const std::filesystem::path& file, const std::string& header) : file_(file), out_(file, std::ios::binary) {
-    out_ << header << "\n";
+  OutTable(const std::filesystem::path& file, const std::vector<std::string>& header) : file_(file) {
+    file_.write(csv_row(header));
   }
 
-  void add(const std::string& row) {
-    out_ << row << "\n";
+  void add(const std::vector<std::string>& row) {
+    file_.write(csv_row(row));
     ++rows_;
   }
 
   long long rows() const { return rows_; }
 
-  void close() {
-    out_.close();
-    if (!out_) {
-      throw run_failed(file_.string() + ": cannot be written");
-    }
-  }
+  void keep() { file_.keep(); }
 
  private:
-  std::filesystem::path file_;
-  std::ofstream out_;
+  NewFile file_;
   long long rows_ = 0;
 };
-
-std::string time_and_place(const Fix& fix) {
-  return "," + std::to_string(fix.time) + "," + decimal(fix.place.lat) + "," + decimal(fix.place.lon);
-}
 
 /// Sorts what vehicles did into tables.
 class Tables {
@@ -52,10 +44,12 @@ class Tables {
         folder_(folder),
         counter_(static_cast<int>(map.regions.size())),
         trips_(folder / "trips" / "trips.csv",
-               "cab,pickup_unix,pickup_lat,pickup_lon,dropoff_unix,dropoff_lat,dropoff_lon"),
-        vacant_(folder / "vacant.csv", "cab,from_unix,from_lat,from_lon,to_unix,to_lat,to_lon,km,ended_by") {
+               {"cab", "pickup_unix", "pickup_lat", "pickup_lon", "dropoff_unix", "dropoff_lat", "dropoff_lon"}),
+        vacant_(folder / "vacant.csv",
+                {"cab", "from_unix", "from_lat", "from_lon", "to_unix", "to_lat", "to_lon", "km", "ended_by"}) {
     if (map.station_map) {
-      charging_.emplace(folder / "charging.csv", "cab,station,region,arrival_unix,start_unix,end_unix");
+      charging_.emplace(folder / "charging.csv",
+                        std::vector<std::string>{"cab", "station", "region", "arrival_unix", "start_unix", "end_unix"});
     }
   }
 
@@ -70,10 +64,10 @@ class Tables {
       write(vehicle, track.finish(counter_));
       cut_off_ += track.cut_off();
     }
-    trips_.close();
-    vacant_.close();
+    trips_.keep();
+    vacant_.keep();
     if (charging_) {
-      charging_->close();
+      charging_->keep();
     }
     if (map_.region_map) {
       transitions_ = write_transitions(counter_, map_.regions, folder_ / "transitions.csv");
@@ -100,17 +94,19 @@ class Tables {
   void write(const std::string& vehicle, const TrackEvents& events) {
     static const std::vector<std::string> ends{"pickup", "gap", "records"};
     if (const auto& ride = events.ride) {
-      trips_.add(vehicle + time_and_place(ride->pickup) + time_and_place(ride->dropoff));
+      trips_.add({vehicle, decimal(ride->pickup.time), decimal(ride->pickup.place.lat), decimal(ride->pickup.place.lon),
+                  decimal(ride->dropoff.time), decimal(ride->dropoff.place.lat), decimal(ride->dropoff.place.lon)});
     }
     if (const auto& move = events.vacant) {
-      vacant_.add(vehicle + time_and_place(move->from) + time_and_place(move->to) + "," +
-                  decimal(std::round(move->km * 1000.0) / 1000.0) + "," + ends[static_cast<std::size_t>(move->end)]);
+      vacant_.add({vehicle, decimal(move->from.time), decimal(move->from.place.lat), decimal(move->from.place.lon),
+                   decimal(move->to.time), decimal(move->to.place.lat), decimal(move->to.place.lon),
+                   decimal(std::round(move->km * 1000.0) / 1000.0), ends[static_cast<std::size_t>(move->end)]});
       vacant_km_ += move->km;
     }
     for (const ChargingStop& stop : events.stops) {
       const Station& station = map_.stations[stop.station];
-      charging_->add(vehicle + "," + station.name + "," + map_.regions[station.region].name + "," +
-                     std::to_string(stop.arrival) + "," + std::to_string(stop.start) + "," + std::to_string(stop.end));
+      charging_->add({vehicle, station.name, map_.regions[station.region].name, decimal(stop.arrival),
+                      decimal(stop.start), decimal(stop.end)});
     }
   }
 

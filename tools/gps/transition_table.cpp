@@ -1,7 +1,8 @@
 #include "tools/gps/transition_table.hpp"
 
-#include "agents/world/pack_table.hpp"
-#include "agents/world/pack_text.hpp"
+#include "common/decimal.hpp"
+#include "common/files.hpp"
+#include "common/table_text.hpp"
 
 #include <array>
 #include <numeric>
@@ -27,12 +28,11 @@ class PeriodRows {
            const std::vector<std::pair<const char*, const Eigen::MatrixXd*>>& next) {
     ++rows;
     thin += cars < kPriorCars ? 1 : 0;
-    const std::string row =
-        from + "," + regions_[region].name + "," + state + "," + std::to_string(std::llround(cars)) + ",";
     for (const auto& [becomes, shares] : next) {
       for (Eigen::Index i = 0; i < shares->cols(); ++i) {
         if ((*shares)(region, i) > 0.0) {
-          text += row + becomes + "," + regions_[i].name + "," + decimal((*shares)(region, i)) + "\n";
+          text += csv_row({from, regions_[region].name, state, decimal(std::llround(cars)), becomes, regions_[i].name,
+                           decimal((*shares)(region, i))});
         }
       }
     }
@@ -67,7 +67,7 @@ std::string write_transitions(const TransitionCounter& counter, const std::vecto
               {{"vacant", &shares.occupied_to_vacant}, {"occupied", &shares.occupied_to_occupied}});
     }
   }
-  write_text(file, out.text);
+  write_file(file, out.text);
   std::ostringstream report;
   report << "transitions counted: " << std::llround(day.vacant.sum() + day.occupied.sum()) << "\n"
          << "  rows of fewer than " << kPriorCars << " cars, drawn towards the day's mean: " << out.thin << " of "

@@ -1,5 +1,6 @@
 #include "tools/ingest/ingest_partition.hpp"
 
+#include "common/table_text.hpp"
 #include "tools/ingest/merge_zones.hpp"
 #include "tools/ingest/outlines.hpp"
 #include "tools/ingest/shared_borders.hpp"
@@ -50,18 +51,6 @@ std::string report_of(const std::vector<Zone>& zones, const std::vector<int>& re
   return out.str();
 }
 
-/// As a field of CSV.
-std::string field(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) {
-    return text;
-  }
-  std::string out = "\"";
-  for (const char c : text) {
-    out += c == '"' ? "\"\"" : std::string(1, c);
-  }
-  return out + "\"";
-}
-
 }  // namespace
 
 std::vector<Zone> read_bordering_zones(const std::filesystem::path& file, const ZoneFields& fields) {
@@ -85,7 +74,7 @@ Partition partition_zones(std::vector<Zone> zones, int regions) {
 std::string zones_csv(const Partition& partition) {
   std::string out = "zone,region\n";
   for (std::size_t z = 0; z < partition.zones.size(); ++z) {
-    out += field(partition.zones[z].name) + "," + partition.regions[partition.region_of[z]].name + "\n";
+    out += csv_row({partition.zones[z].name, partition.regions[partition.region_of[z]].name});
   }
   return out;
 }

@@ -2,6 +2,7 @@
 
 #include "agents/world/geometry.hpp"
 #include "agents/world/pack_table.hpp"
+#include "common/plain_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,20 +14,6 @@ namespace evbal {
 namespace {
 
 constexpr int kMostPoints = 10'000;
-
-/// Whether a text may stand in a pack: UTF-8 without control characters, not empty.
-bool is_plain(std::string_view text) {
-  int following = 0;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool continues = (byte & 0xC0U) == 0x80U;
-    if (continues != (following > 0) || byte < 0x20U || byte == 0x7FU || byte >= 0xF8U) {
-      return false;
-    }
-    following = continues ? following - 1 : byte >= 0xF0U ? 3 : byte >= 0xE0U ? 2 : byte >= 0xC0U ? 1 : 0;
-  }
-  return following == 0 && !text.empty();
-}
 
 /// Reads rows into stations, or gives the reason why it cannot.
 class StationReader {
@@ -44,7 +31,7 @@ class StationReader {
     const auto points = parse_integer(row.text(format_.points));
     const std::string name(row.text(format_.name));
     if (!lat || !lon || !points || std::abs(*lat) > 90.0 || std::abs(*lon) > 180.0 || *points > kMostPoints ||
-        !is_plain(name)) {
+        name.empty() || !line_complaint(name).empty()) {
       return malformed_row;
     }
     if (*points < 1) {

@@ -2,6 +2,7 @@
 
 #include "agents/world/pack_table.hpp"
 #include "common/contract.hpp"
+#include "common/table_text.hpp"
 #include "tools/records/text_lines.hpp"
 
 #include <algorithm>

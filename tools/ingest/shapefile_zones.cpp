@@ -1,6 +1,8 @@
 #include "agents/world/pack_table.hpp"
+#include "common/decimal.hpp"
 #include "common/error.hpp"
-#include "common/text_of_file.hpp"
+#include "common/files.hpp"
+#include "common/plain_text.hpp"
 #include "tools/ingest/read_zones.hpp"
 
 #include <shapefil.h>
@@ -141,7 +143,11 @@ class Fields {
     const DBFFieldType type = DBFGetFieldInfo(table_.get(), at, nullptr, nullptr, nullptr);
     const double number = DBFReadDoubleAttribute(table_.get(), record, at);
     const bool numeric = (type == FTInteger || type == FTDouble) && std::isfinite(number);
-    return numeric ? decimal(number) : DBFReadStringAttribute(table_.get(), record, at);
+    std::string shown = numeric ? decimal(number) : DBFReadStringAttribute(table_.get(), record, at);
+    if (const auto complaint = line_complaint(shown); !complaint.empty()) {
+      throw bad_input(file_.string(), 0, "record " + std::to_string(record) + ": field `" + field + "` " + complaint);
+    }
+    return shown;
   }
 
   double weight(int record, const std::string& field) const {

@@ -1,6 +1,7 @@
 #include "tools/records/raw_table.hpp"
 
 #include "agents/world/pack_table.hpp"
+#include "common/table_text.hpp"
 
 #include <algorithm>
 
@@ -88,7 +89,7 @@ void RawTable::split() {
 }
 
 void RawTable::split_quoted() {
-  unquoted_ = split_csv(line_, format_.separator);
+  split_csv(line_, format_.separator, unquoted_);
   all_.clear();
   for (const auto& field : unquoted_) {
     all_.push_back(trimmed(field));

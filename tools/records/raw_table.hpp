@@ -29,7 +29,8 @@ std::size_t add_column(TableFormat& format, const YamlValue& value);
 /// The reason under which rows are counted that lack fields or whose fields cannot be read.
 inline constexpr const char* malformed_row = "malformed row";
 
-/// The rows of a table of raw records, plain or compressed, as a stream. Fields may stand in double quotes.
+/// The rows of a table of raw records, plain or compressed, as a stream. Unlike PackTable it takes what other people's
+/// programs write: any of several separators, blanks around fields, columns in any order, quotes or none.
 class RawTable {
  public:
   /// Throws Error{bad_input} if the file cannot be read or its header lacks a column.

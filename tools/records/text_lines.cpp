@@ -100,25 +100,6 @@ std::string unpacked_text(const std::filesystem::path& file) {
   return text;
 }
 
-std::vector<std::string> split_csv(const std::string& line, char separator) {
-  std::vector<std::string> fields(1);
-  bool in_quotes = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const char c = line[i];
-    if (c == '"' && in_quotes && i + 1 < line.size() && line[i + 1] == '"') {
-      fields.back() += '"';
-      ++i;
-    } else if (c == '"') {
-      in_quotes = !in_quotes;
-    } else if (c == separator && !in_quotes) {
-      fields.emplace_back();
-    } else {
-      fields.back() += c;
-    }
-  }
-  return fields;
-}
-
 namespace {
 
 /// The files of a folder with one of these endings, plain or compressed, by name.

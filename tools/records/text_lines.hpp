@@ -37,9 +37,6 @@ class LineReader {
 /// A whole file, plain or compressed.
 std::string unpacked_text(const std::filesystem::path& file);
 
-/// The fields of a line of CSV; a field may stand in double quotes, a doubled quote inside means one.
-std::vector<std::string> split_csv(const std::string& line, char separator = ',');
-
 /// The files of a folder whose name ends in one of .csv, .csv.gz, .csv.xz, by name. Throws Error{bad_input} if there
 /// are none.
 std::vector<std::filesystem::path> csv_files(const std::filesystem::path& folder);

@@ -73,6 +73,7 @@ Json content_json(const PageContent& content) {
   const bool map = !content.runs.empty() && std::all_of(content.runs.begin(), content.runs.end(), same_city);
   Json json = {{"title", content.title},
                {"subtitle", content.subtitle},
+               {"left_out", content.left_out},
                {"runs", runs_json(content.runs, map)},
                {"windows", windows_json(content.runs)},
                {"forecasts", forecasts_json(content.forecasts)},

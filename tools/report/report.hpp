@@ -27,7 +27,8 @@ struct PageContent {
   std::optional<SweepContent> sweep{};      ///< at least one of it and `runs`
   std::vector<ForecastFigure> forecasts{};  ///< of the first run's day, or of the sweep's first
   std::vector<FittedThresholds> thresholds{};
-  std::optional<CityMap> map{};  ///< of the runs' city
+  std::optional<CityMap> map{};         ///< of the runs' city
+  std::vector<std::string> left_out{};  ///< what the page should show and does not, and why: a sentence each
 };
 
 /// A self-contained HTML page, which needs no network (docs/reports.md). Throws Error{bad_input} if the runs have

@@ -1,49 +1,20 @@
 #include "tools/verify/csdp.hpp"
 
 #include "common/error.hpp"
+#include "common/files.hpp"
+#include "common/scratch_folder.hpp"
 
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 
 namespace evbal {
-namespace {
-
-namespace fs = std::filesystem;
-
-// A folder that goes with its owner.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string pattern = (fs::temp_directory_path() / "evbal-verify-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) {
-      throw run_failed(pattern + ": no folder can be made here");
-    }
-    path_ = pattern;
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  ~ScratchFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
-}  // namespace
-
 std::vector<double> solve_with_csdp(const std::string& problem) {
   constexpr int not_found = 127;
   const ScratchFolder folder;
-  std::ofstream(folder.path() / "problem.dat-s") << problem;
+  write_file(folder.path() / "problem.dat-s", problem);
   const std::string command =
       "cd '" + folder.path().string() + "' && OMP_NUM_THREADS=1 csdp problem.dat-s solution >log 2>&1";
   const int status = std::system(command.c_str());  // NOLINT(cert-env33-c,concurrency-mt-unsafe): the shell finds it

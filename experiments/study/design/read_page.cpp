@@ -81,7 +81,7 @@ auto table_of(YamlMap& map, const char* kind, const Read& read, const Names& nam
 
 std::string text_of(YamlMap& map) {
   const auto text = map.find("text");
-  return text ? text->text() : "";
+  return text ? text->paragraphs() : "";
 }
 
 PageSection read_section(const YamlValue& value, const Names& names) {

@@ -55,7 +55,7 @@ std::string shown(const YamlValue& value) {
 }
 
 std::string plain_name(const YamlValue& value) {
-  std::string name = value.text();
+  std::string name = value.file_name();
   const auto plain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.'; };
   if (name.empty() || !std::all_of(name.begin(), name.end(), plain)) {
     throw value.error("`" + name + "` is no name; write letters, digits, `-`, `_` and `.` only");

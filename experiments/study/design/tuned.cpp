@@ -1,5 +1,6 @@
 #include "experiments/study/design/tuned.hpp"
 
+#include "common/yaml_writer.hpp"
 #include "coordinator/balancing/controllers.hpp"
 #include "experiments/metrics/metrics.hpp"
 #include "experiments/study/design/replications.hpp"
@@ -70,20 +71,23 @@ Tuned read_tuned(const std::filesystem::path& file) {
 }
 
 std::string tuned_yaml(const Tuned& tuned) {
-  std::string yaml = "schema: 1\ntuned:\n";
-  std::string last;
-  for (const auto& [names, variant] : tuned) {
-    if (names.first != last) {
-      last = names.first;
-      yaml += "  " + last + ":\n";
+  constexpr auto one_line = YamlWriter::Layout::one_line;
+  YamlWriter yaml;
+  yaml.key("schema").number(1).key("tuned").begin_map();
+  for (auto variant = tuned.begin(); variant != tuned.end();) {
+    const std::string& scenario = variant->first.first;
+    yaml.key(scenario).begin_map();
+    for (; variant != tuned.end() && variant->first.first == scenario; ++variant) {
+      yaml.key(variant->first.second).begin_map(one_line).key("controller").word(variant->second.controller);
+      yaml.key("settings").begin_map();
+      for (const auto& [path, value] : variant->second.settings) {
+        yaml.key(path).value(value);
+      }
+      yaml.end_map().end_map();
     }
-    std::string settings;
-    for (const auto& [path, value] : variant.settings) {
-      settings += (settings.empty() ? "" : ", ") + path + ": " + shown(value);
-    }
-    yaml += "    " + names.second + ": {controller: " + variant.controller + ", settings: {" + settings + "}}\n";
+    yaml.end_map();
   }
-  return yaml;
+  return yaml.end_map().finish();
 }
 
 }  // namespace evbal

@@ -1,8 +1,9 @@
 #include "experiments/study/design/tuning.hpp"
 
 #include "common/contract.hpp"
+#include "common/decimal.hpp"
+#include "common/table_text.hpp"
 #include "coordinator/balancing/controllers.hpp"
-#include "experiments/record/text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -193,8 +194,8 @@ std::string trials_csv(const Tuning& tuning, const std::vector<Contest>& contest
       for (const auto& [path, value] : candidate.settings) {
         settings += (settings.empty() ? "" : " ") + path + "=" + shown(value);
       }
-      csv += contest.scenario + "," + tuning.variants[contest.variant].name + "," + std::to_string(candidate.number) +
-             "," + std::to_string(candidate.days) + "," + shortest(candidate.objective) + ",\"" + settings + "\"\n";
+      csv += csv_row({contest.scenario, tuning.variants[contest.variant].name, decimal(candidate.number),
+                      decimal(candidate.days), decimal(candidate.objective), settings});
     }
   }
   return csv;

@@ -1,9 +1,11 @@
 #include "experiments/study/executors/monte_carlo.hpp"
 
+#include "common/decimal.hpp"
 #include "common/error.hpp"
+#include "common/files.hpp"
+#include "common/table_text.hpp"
 #include "experiments/record/paired_run.hpp"
 #include "experiments/record/summary.hpp"
-#include "experiments/record/text.hpp"
 #include "experiments/run/twins.hpp"
 #include "experiments/study/executors/play_days.hpp"
 #include "experiments/study/statistics/distribution.hpp"
@@ -98,18 +100,20 @@ std::vector<Drawn> gathered(const std::vector<Run>& runs, const fs::path& folder
 }
 
 std::string distribution_csv(const std::vector<Drawn>& all) {
-  std::string text = "controller,metric";
+  std::vector<std::string> cells = {"controller", "metric"};
   for (const auto& [name, value] : named(Distribution{})) {
-    text += "," + name;
+    cells.push_back(name);
   }
-  text += ",without\n";
+  cells.emplace_back("without");
+  std::string text = csv_row(cells);
   for (const auto& drawn : all) {
     for (const auto& metric : metric_names()) {
-      text += drawn.run.scenario.planning.controller + "," + metric;
+      cells = {drawn.run.scenario.planning.controller, metric};
       for (const auto& [name, value] : named(distribution_of(drawn.values(metric)))) {
-        text += "," + shortest(value);
+        cells.push_back(decimal(value));
       }
-      text += "," + shortest(drawn.without.at(metric)) + "\n";
+      cells.push_back(decimal(drawn.without.at(metric)));
+      text += csv_row(cells);
     }
   }
   return text;
@@ -152,7 +156,7 @@ std::string disappointments(const std::vector<Drawn>& all) {
         const std::size_t worst = worst_of(values, expect.at_most);
         failed += (failed.empty() ? "" : "; ") + drawn.run.scenario.planning.controller + ": " + expect.metric +
                   ", expected " + expect.words() + ", fails in " + std::to_string(misses) + " of " +
-                  std::to_string(values.size()) + " draws, in " + name_of(worst) + " it is " + shortest(values[worst]);
+                  std::to_string(values.size()) + " draws, in " + name_of(worst) + " it is " + decimal(values[worst]);
       }
     }
   }

@@ -1,10 +1,9 @@
 #include "experiments/study/executors/slurm.hpp"
 
 #include "common/error.hpp"
+#include "common/files.hpp"
 #include "common/installation.hpp"
 #include "common/interrupt.hpp"
-#include "common/text_of_file.hpp"
-#include "experiments/record/text.hpp"
 #include "experiments/run/record_day.hpp"
 #include "experiments/study/executors/slurm_commands.hpp"
 #include "experiments/study/store/sweep_file.hpp"

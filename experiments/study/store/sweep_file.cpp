@@ -1,9 +1,10 @@
 #include "experiments/study/store/sweep_file.hpp"
 
+#include "common/decimal.hpp"
 #include "common/error.hpp"
+#include "common/table_text.hpp"
 #include "experiments/metrics/columns.hpp"
 #include "experiments/record/database_table.hpp"
-#include "experiments/record/text.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
@@ -87,19 +88,8 @@ FinishedDay finished_day(SQLite::Statement& row) {
   return day;
 }
 
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) {
-    return text;
-  }
-  std::string result = "\"";
-  for (const char c : text) {
-    result += c == '"' ? "\"\"" : std::string{c};
-  }
-  return result + "\"";
-}
-
 std::string cell(const SQLite::Column& column) {
-  return column.isFloat() ? shortest(column.getDouble()) : quoted(column.getString());
+  return column.isFloat() ? decimal(column.getDouble()) : column.getString();
 }
 
 /// All that `query` finds, with a header; `key` is left out.
@@ -107,19 +97,22 @@ std::string csv(const fs::path& file, const std::string& query) {
   const SQLite::Database database = opened(file, SQLite::OPEN_READONLY);
   SQLite::Statement rows(database, query);
   std::vector<int> shown;
-  std::string text;
+  std::vector<std::string> cells;
   for (int i = 0; i < rows.getColumnCount(); ++i) {
     if (std::string(rows.getColumnName(i)) != "key") {
-      text += (shown.empty() ? "" : ",") + quoted(rows.getColumnName(i));
+      cells.emplace_back(rows.getColumnName(i));
       shown.push_back(i);
     }
   }
+  std::string text = csv_row(cells);
   while (rows.executeStep()) {
+    cells.clear();
     for (const int i : shown) {
-      text += (i == shown.front() ? "\n" : ",") + cell(rows.getColumn(i));
+      cells.push_back(cell(rows.getColumn(i)));
     }
+    text += csv_row(cells);
   }
-  return text + "\n";
+  return text;
 }
 
 void make_tables(SQLite::Database& database) {

@@ -31,12 +31,24 @@ TEST(BadInput, OfTheCommandLineIsRefused) {
   expect_refused(line, "morning.yaml --regions-per-process 0", "--regions-per-process");
   expect_refused(line, "morning.yaml --faults no.yaml --out new", "no.yaml: cannot be read");
   expect_refused(line, "morning.yaml --bogus", "--bogus");
+  expect_refused(line, "morning.yaml --out \"$(printf 'new\\377')\"", "word 4 of the command line is not UTF-8");
+  expect_refused(line, "morning.yaml --out \"$(printf 'new\\nx')\"", "word 4 of the command line holds a line break");
 }
 
 TEST(BadInput, OfAScenarioIsRefusedByItsLine) {
   const CommandLine line;
   line.scenario("bad.yaml", "stpe: 30min\n");
   expect_refused(line, "bad.yaml --out new", "bad.yaml:14: unknown key `stpe`");
+  line.scenario("bad.yaml", "name: ../new\n");
+  expect_refused(line, "bad.yaml", "bad.yaml:14: name `../new` may not");
+  line.scenario("bad.yaml", "name: a/b\n");
+  expect_refused(line, "bad.yaml", "bad.yaml:14: name `a/b` may not");
+  line.scenario("bad.yaml", "name: \"M\xfcnchen\"\n");
+  expect_refused(line, "bad.yaml", "bad.yaml:14: is not UTF-8");
+  line.scenario("bad.yaml", "---\nfleet: {vehicles: 12}\n");
+  expect_refused(line, "bad.yaml", "bad.yaml:15: a second document");
+  line.scenario("bad.yaml", "passengers: {patience: [1min, 99999999999h]}\n");
+  expect_refused(line, "bad.yaml", "bad.yaml:14: `99999999999h` is out of range");
   line.scenario("bad.yaml", "fleet: {vehicles: 12.5}\n");
   expect_refused(line, "bad.yaml", "bad.yaml:14: `12.5` is no whole number");
   line.scenario("bad.yaml", "expect: [{metric: srved, at_least: 1}]\n");

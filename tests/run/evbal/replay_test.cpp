@@ -41,6 +41,19 @@ class Replay : public ::testing::Test {
   CommandLine line_;
 };
 
+TEST_F(Replay, LeavesAloneWhatHasANameThatOneMightGuess) {
+  const fs::path place = line_.path() / "tmp";
+  const std::string arguments = "replay a --quiet";
+  const std::string script = "cd " + line_.path().string() + " && mkdir -p tmp/evbal-replay-$$ && " +
+                             "echo dear >tmp/evbal-replay-$$/letter.txt && exec env TMPDIR=" + place.string() + " " +
+                             EVBAL_PROGRAM + " " + arguments + " >out.txt 2>err.txt";
+  EXPECT_EQ(std::system(script.c_str()), 0) << text_of(line_.path() / "err.txt");
+  const auto left = fs::directory_iterator(place);
+  ASSERT_NE(left, fs::directory_iterator());
+  EXPECT_EQ(text_of(left->path() / "letter.txt"), "dear\n");
+  EXPECT_EQ(std::distance(fs::directory_iterator(place), {}), 1);
+}
+
 TEST_F(Replay, AgreesWithItsRun) {
   const Ended ended = line_.evbal("replay a --quiet");
   EXPECT_EQ(ended.status, 0) << ended.err;

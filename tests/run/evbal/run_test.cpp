@@ -55,6 +55,25 @@ TEST(Run, IsPairedWithTheSameDayWithoutFaults) {
   EXPECT_EQ(line.evbal("replay a/without-faults").status, 0);
 }
 
+TEST(Run, KeepsItsMarkIfItsPageCannotBeWritten) {
+  const CommandLine line;
+  ASSERT_EQ(line.evbal("run morning.yaml --out a --quiet").status, 0);
+  const auto page = fs::file_size(line.path() / "a" / "report.html");
+  const std::string limit = "ulimit -f " + std::to_string(page / 1024 - 1) + "; trap '' XFSZ; ";
+  const std::string script = "cd " + line.path().string() + " && " + limit + EVBAL_PROGRAM +
+                             " run morning.yaml --out b --quiet >out.txt 2>err.txt";
+  const int code = std::system(("bash -c \"" + script + "\"").c_str());
+  EXPECT_EQ(WEXITSTATUS(code), 3);
+  EXPECT_NE(text_of(line.path() / "err.txt").find("report.html: cannot be written: File too large"), std::string::npos)
+      << text_of(line.path() / "err.txt");
+  EXPECT_TRUE(fs::exists(line.path() / "b" / "INCOMPLETE"));
+  EXPECT_FALSE(fs::exists(line.path() / "b" / "report.html"));
+  EXPECT_EQ(line.evbal("report b").status, 2);
+  EXPECT_EQ(line.evbal("run morning.yaml --out b --quiet").status, 0) << "a run that broke off is made anew";
+  EXPECT_EQ(line.evbal("report a --out /dev/full").status, 3);
+  EXPECT_NE(text_of(line.path() / "err.txt").find("No space left on device"), std::string::npos);
+}
+
 TEST(Run, TakesADirectoryOfItsOwnEachTime) {
   const CommandLine line;
   EXPECT_EQ(line.evbal("run morning.yaml --controller none --quiet").out, "runs/morning-2024-01-11-none-seed1\n");

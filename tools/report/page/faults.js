@@ -29,7 +29,7 @@ function faultTable(run) {
   ]));
 }
 
-const backAfter = minutes => minutes === null ? "never" : minutes + " min";
+const backAfter = minutes => minutes === null ? "not seen before the day ended" : minutes + " min";
 
 function costTable(run) {
   const head = ["", "with", "without", "cost", "area, × hours", "back after",

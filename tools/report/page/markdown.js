@@ -1,14 +1,15 @@
 "use strict";
 // The answers that a sweep wrote as Markdown: headings, paragraphs, tables, lists and code, which is all it writes.
 
-// Text with `code` and [links](of which the words are kept).
+// Text with `code` and [links](of which the words are kept); a backslash before a mark makes it a character.
 function inline(text) {
-  const plain = text.replace(/\[([^\]]*)\]\([^)]*\)/g, "$1");
-  return plain.split("`").map((part, i) => i % 2 === 1 ? element("code", "", part) : part);
+  const plain = text.replace(/(?<!\\)\[([^\]]*)\]\([^)]*\)/g, "$1");
+  const parts = plain.split(/(?<!\\)`/).map(part => part.replace(/\\([\\`*_[\]<>|#])/g, "$1"));
+  return parts.map((part, i) => i % 2 === 1 ? element("code", "", part) : part);
 }
 
 function markdownTable(lines) {
-  const cells = line => line.trim().replace(/^\||\|$/g, "").split("|").map(cell => cell.trim());
+  const cells = line => line.trim().replace(/^\||(?<!\\)\|$/g, "").split(/(?<!\\)\|/).map(cell => cell.trim());
   const left = cells(lines[1]).map(rule => !rule.endsWith(":"));
   const made = kind => (cell, i) => element(kind, left[i] ? "text" : "", ...inline(cell));
   return element("div", "card wide narrow",
