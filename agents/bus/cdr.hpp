@@ -2,6 +2,7 @@
 
 #include "agents/protocol/reflection.hpp"
 #include "common/error.hpp"
+#include "common/plain_text.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -115,6 +116,9 @@ class CdrReader {
     text = take(length());
     if (text.ends_with('\0')) {
       text.pop_back();
+    }
+    if (find_invalid_utf8(text) != std::string::npos || text.find('\0') != std::string::npos) {
+      throw run_failed("a text is not UTF-8");
     }
   }
 

@@ -1,6 +1,8 @@
 #include "agents/protocol/message_check.hpp"
 
+#include "agents/protocol/reflection.hpp"
 #include "common/error.hpp"
+#include "common/plain_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +10,8 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <string_view>
+#include <type_traits>
 #include <utility>
 
 namespace evbal {
@@ -17,22 +21,28 @@ constexpr double most_times = 1e4;     // all factors of a kind on a region toge
 constexpr double most_together = 1e6;  // all other magnitudes of a kind on a region together
 constexpr double most_cpu_seconds = 1e9;
 
-/// Checks one thing after another and keeps the first complaint.
+/// Checks one thing after another and keeps the first that is wrong.
 class Check {
  public:
   explicit Check(const MessageBounds& bounds) : bounds_(bounds) {}
 
-  std::string complaint() const { return complaint_; }
+  std::string wrong() const { return wrong_; }
 
   template <class Words>
   void that(bool holds, Words otherwise) {
-    if (!holds && complaint_.empty()) {
-      complaint_ = otherwise();
+    if (!holds && wrong_.empty()) {
+      wrong_ = otherwise();
     }
   }
 
+  /// At every depth of a message numbers are finite and texts are UTF-8.
+  template <class Message>
+  void values(const Message& message) {
+    for_each_field(message, [&](std::string_view name, const auto& field) { value(name, field); });
+  }
+
   void within(const char* what, double value, double least, double most) {
-    that(value >= least && value <= most, [&] { return std::string(what) + " " + shown(value); });
+    that(value >= least && value <= most, [&] { return named(what, value); });
   }
 
   void region(const char* what, int region) { within(what, region, 0, bounds_.regions - 1); }
@@ -45,6 +55,15 @@ class Check {
     }
     that(std::adjacent_find(list.begin(), list.end(), std::greater_equal{}) == list.end(),
          [&] { return std::string(what) + ": not ascending"; });
+  }
+
+  void provenance(const Provenance& made) {
+    within("max_violation", made.max_violation, 0.0, std::numeric_limits<double>::max());
+    within("iterations", made.iterations, 0, std::numeric_limits<std::int32_t>::max());
+    const double distance = made.objective - made.lower_bound;
+    that(made.gap * distance >= 0.0 && std::abs(made.gap) <= std::abs(distance), [&] {
+      return named("gap", made.gap) + named(" between", made.objective) + named(" and its bound", made.lower_bound);
+    });
   }
 
   void origin(const Origin& origin) {
@@ -88,13 +107,33 @@ class Check {
            most_together);
   }
 
-  static std::string shown(double value) {
-    return value == std::floor(value) && std::abs(value) < 1e15 ? std::to_string(static_cast<std::int64_t>(value))
-                                                                : std::to_string(value);
+  template <class Field>
+  void value(std::string_view name, const Field& field) {
+    if constexpr (std::is_same_v<Field, double>) {
+      that(std::isfinite(field), [&] { return named(name, field); });
+    } else if constexpr (std::is_same_v<Field, std::string>) {
+      constexpr auto nowhere = std::string_view::npos;
+      that(find_invalid_utf8(field) == nowhere && find_control_character(field) == nowhere,
+           [&] { return std::string(name) + " is no text in UTF-8"; });
+    } else if constexpr (std::is_class_v<Field>) {
+      values(field);
+    }
+  }
+
+  template <class Item>
+  void value(std::string_view name, const std::vector<Item>& items) {
+    for (const auto& item : items) {
+      value(name, item);
+    }
+  }
+
+  static std::string named(std::string_view name, double value) {
+    const bool whole = value == std::floor(value) && std::abs(value) < 1e15;
+    return std::string(name) + " " + (whole ? std::to_string(static_cast<std::int64_t>(value)) : std::to_string(value));
   }
 
   const MessageBounds& bounds_;
-  std::string complaint_;
+  std::string wrong_;
 };
 
 void check_fate(Check& check, const Fate& fate, const MessageBounds& bounds, int end) {
@@ -132,19 +171,21 @@ void check_rides(Check& check, const Departures& message) {
 
 }  // namespace
 
-std::string complaint(const Faults& message, const MessageBounds& bounds) {
+std::string validate(const Faults& message, const MessageBounds& bounds) {
   Check check(bounds);
+  check.values(message);
   check.tick(message.tick);
   check.effects(message.effects);
   check.origin(message.origin);
-  return check.complaint();
+  return check.wrong();
 }
 
-std::string complaint(const Tick& message, const MessageBounds& bounds) {
+std::string validate(const Tick& message, const MessageBounds& bounds) {
   Check check(bounds);
+  check.values(message);
   check.tick(message.tick);
-  if (!check.complaint().empty()) {
-    return check.complaint();  // the minutes below would be no numbers
+  if (!check.wrong().empty()) {
+    return check.wrong();  // there is no such minute
   }
   check.regions("due", message.due);
   check.regions("unheard", message.unheard);
@@ -168,11 +209,19 @@ std::string complaint(const Tick& message, const MessageBounds& bounds) {
   }
   check.within("vehicles under way", static_cast<double>(vehicles), 0, bounds.vehicles);
   check.effects(message.effects);
-  return check.complaint();
+  return check.wrong();
 }
 
-std::string complaint(const Plan& message, const MessageBounds& bounds) {
+std::string validate(const Report& message, const MessageBounds& bounds) {
   Check check(bounds);
+  check.values(message);
+  check.origin(message.origin);
+  return check.wrong();
+}
+
+std::string validate(const Plan& message, const MessageBounds& bounds) {
+  Check check(bounds);
+  check.values(message);
   check.tick(message.tick);
   for (const Move& move : message.moves) {
     check.region("from", move.from);
@@ -180,17 +229,18 @@ std::string complaint(const Plan& message, const MessageBounds& bounds) {
     check.within("count", move.count, 1, bounds.vehicles);
     check.that(move.errand != Errand::passenger, [] { return "a move with a passenger"; });
   }
-  check.within("iterations", message.provenance.iterations, 0, std::numeric_limits<std::int32_t>::max());
+  check.provenance(message.provenance);
   check.origin(message.origin);
-  return check.complaint();
+  return check.wrong();
 }
 
-std::string complaint(const Departures& message, const MessageBounds& bounds) {
+std::string validate(const Departures& message, const MessageBounds& bounds) {
   Check check(bounds);
+  check.values(message);
   check.tick(message.tick);
   check.region("region", message.region);
-  if (!check.complaint().empty()) {
-    return check.complaint();
+  if (!check.wrong().empty()) {
+    return check.wrong();
   }
   const int begin = bounds.clock.minute_of(message.tick);
   const int end = bounds.clock.minute_of(message.tick + 1);
@@ -203,7 +253,6 @@ std::string complaint(const Departures& message, const MessageBounds& bounds) {
   check_rides(check, message);
   for (const Observed& seen : message.observed) {
     check.count("fault", seen.fault);
-    check.that(std::isfinite(seen.amount), [] { return "an amount observed that is no number"; });
     check.count("evicted", seen.evicted);
   }
   check.within("refused", message.refused, 0, std::numeric_limits<std::int32_t>::max());
@@ -221,7 +270,7 @@ std::string complaint(const Departures& message, const MessageBounds& bounds) {
   }
   check.within("charged_kwh", message.charged_kwh, 0.0, bounds.vehicles * bounds.battery_kwh);
   check.origin(message.origin);
-  return check.complaint();
+  return check.wrong();
 }
 
 void refuse(const std::string& sender, int tick, const std::string& wrong) {

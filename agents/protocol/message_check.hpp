@@ -5,8 +5,8 @@
 
 #include <string>
 
-/// Nobody on the bus is believed blindly: what cannot be true of a message. Reports, of which the coordinator makes an
-/// estimate where one cannot be believed, have a check of their own (coordinator/planning/report_check.hpp).
+/// Decides which messages cannot be true. Reports are checked here only for what no sensor measures: the coordinator
+/// makes an estimate where the rest cannot be true (coordinator/planning/report_check.hpp).
 namespace evbal {
 
 /// What bounds the messages of a run.
@@ -18,23 +18,21 @@ struct MessageBounds {
   DayClock clock;             ///< of the run
 };
 
-/// What is wrong with a message, in a few words; empty if nothing is. One that passes holds no region, minute, vehicle
-/// or fault that does not exist, no number that is none, and none so large that it could not be counted on with.
-std::string complaint(const Faults& message, const MessageBounds& bounds);
-/// The same of a tick.
-std::string complaint(const Tick& message, const MessageBounds& bounds);
-/// The same of a plan.
-std::string complaint(const Plan& message, const MessageBounds& bounds);
-/// The same of departures.
-std::string complaint(const Departures& message, const MessageBounds& bounds);
+/// What is wrong with a message, in a few words; empty if nothing is. In a message that passes every number is finite
+/// and small enough to be counted on with, every text is UTF-8, and every region, minute, vehicle and fault exists.
+std::string validate(const Faults& message, const MessageBounds& bounds);
+std::string validate(const Tick& message, const MessageBounds& bounds);
+std::string validate(const Report& message, const MessageBounds& bounds);
+std::string validate(const Plan& message, const MessageBounds& bounds);
+std::string validate(const Departures& message, const MessageBounds& bounds);
 
-/// Throws Error{run_failed}: `sender` said of `tick` what is `wrong`.
+/// Throws Error{run_failed}: what `sender` said of a tick cannot be, and why.
 [[noreturn]] void refuse(const std::string& sender, int tick, const std::string& wrong);
 
-/// Throws Error{run_failed} if there is something wrong with what `sender` said.
+/// Throws Error{run_failed} if a message of `sender` does not pass validate().
 template <class Message>
 void refuse_garbage(const Message& message, const MessageBounds& bounds, const std::string& sender) {
-  if (const std::string wrong = complaint(message, bounds); !wrong.empty()) {
+  if (const std::string wrong = validate(message, bounds); !wrong.empty()) {
     refuse(sender, message.tick, wrong);
   }
 }

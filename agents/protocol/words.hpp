@@ -11,7 +11,7 @@
 
 namespace evbal {
 
-/// An enum whose enumerators are called in schedules, record and bridge as they are here. Kinds of fault have names of
+/// An enum whose enumerators are called in schedules, record and bridge as they are here. Types of fault have names of
 /// their own (faults/schedule/fault_types.hpp).
 template <class Enum>
 concept Worded = std::is_enum_v<Enum> && !std::same_as<Enum, EffectType>;

@@ -21,17 +21,18 @@ struct HeldValue {
   std::int32_t value = 0;  ///< that the sensor is stuck at
 };
 
-/// What sensors say must be known of earlier reports.
+/// What a region remembers of earlier reports, for sensors that are stuck or late.
 struct SensorMemory {
   std::vector<Reading> readings;  ///< of the day's reports so far, by tick
   std::vector<HeldValue> stuck;   ///< of the sensor.stuck that are active
 };
 
-/// What a sensor says that is off.
+/// What a sensor reports that is off.
 constexpr std::int32_t not_measured = -1;
 
-/// Makes of a true report what the sensors make of it under `effects`, which act in turn; other families are passed
-/// over. `observed`, by effect, is told by how much each changed its field. Garbage is drawn from the world's seed.
+/// The report that faulty sensors give in place of the true one. The effects act one after another; those of other
+/// families are ignored. Adds to `observed`, by effect, how much each changed its field. Garbage is drawn from the
+/// world's seed.
 Report sensed(const Report& truth, const std::vector<Effect>& effects, int tick_minutes, std::uint64_t seed,
               SensorMemory& memory, std::vector<Observed>& observed);
 

@@ -226,6 +226,9 @@ class Day {
     for (const auto& departures : exchange.departures) {
       check_vehicles_and_points(world_, installed_, roads_, departures);
     }
+    for (const auto& report : exchange.reports) {
+      refuse_garbage(report, bounds_, "region " + std::to_string(report.region));
+    }
     if (exchange.plan) {
       refuse_garbage(*exchange.plan, bounds_, "the coordinator");
       check_plan(world_, tick, *exchange.plan, exchange.reports);

@@ -14,6 +14,7 @@ constexpr double most_error = 1000.0;
 constexpr double most_minutes = 24.0 * 60.0;
 constexpr double most_iterations = 1e6;
 
+/// One row a type, in the order of EffectType; the head of fault_types.hpp says what else a new one needs.
 std::vector<FaultType> all_types() {
   using enum EffectType;
   using enum TargetKind;

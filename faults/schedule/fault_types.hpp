@@ -6,6 +6,13 @@
 #include <string>
 #include <vector>
 
+/// The table of fault types. A new type begins here:
+/// - its name and keys: a row in fault_types.cpp, at the place of its EffectType;
+/// - its EffectType: agents/protocol/messages.hpp (with the meaning of its magnitude) and agents/bus/evbal.idl;
+/// - what it does, by family: the world in agents/region/region_faults.cpp, sensors in agents/region/sensors.cpp,
+/// processes
+///   and the network in experiments/conductor/attendance.cpp, the solver in coordinator/planning;
+/// - a row in docs/faults.md.
 namespace evbal {
 
 /// What a fault's target names.
@@ -27,7 +34,7 @@ enum class MagnitudeUnit {
   count,    ///< of `counted` things: a whole number
 };
 
-/// A kind of fault: its name in a schedule, and which fields it has beside those of every fault.
+/// A type of fault: its name in a schedule, and which keys it has beside those of every fault.
 struct FaultType {
   std::string name;
   EffectType effect = EffectType::demand_scale;
@@ -48,12 +55,13 @@ struct FaultType {
   bool may_be_invisible() const { return family_of(effect) == FaultFamily::world; }
 };
 
-/// Every kind that there is, in the order of EffectType.
+/// All types, in the order of EffectType.
 const std::vector<FaultType>& fault_types();
 
 /// Names of fault_types(), in their order.
 std::vector<std::string> fault_type_names();
 
+/// The row of an effect.
 const FaultType& fault_type(EffectType effect);
 
 /// Largest factor on demand that a schedule may ask for.

@@ -15,6 +15,7 @@ struct Overlap {
   int from = 0;    ///< tick
   int to = 0;      ///< tick after the last
 };
+
 /// Where two faults act on the same thing at the same time, if they do.
 std::optional<Overlap> overlap(const Fault& a, const Fault& b, const DayClock& clock);
 

@@ -73,6 +73,7 @@ std::string what_is_wrong(Change change) {
 }
 
 constexpr std::size_t length_of_run = 4;
+constexpr std::size_t first_of_run = length_of_run + 4;
 constexpr std::size_t length_of_moves = 4 + 4 + 8 + 4;  // encapsulation, text with its length and padding, tick
 constexpr std::size_t errand_of_first_move = length_of_moves + 4 + 3 * 4;
 
@@ -83,6 +84,8 @@ TEST(Cdr, SaysWhyBytesAreNoMessage) {
   EXPECT_EQ(what_is_wrong([](std::string& bytes) { bytes.resize(22); }), "bytes are missing");
   EXPECT_EQ(what_is_wrong([](std::string& bytes) { bytes[errand_of_first_move] = 3; }),
             "an enumerator is 3, the last one 2");
+  EXPECT_EQ(what_is_wrong([](std::string& bytes) { bytes[first_of_run] = '\xe9'; }), "a text is not UTF-8");
+  EXPECT_EQ(what_is_wrong([](std::string& bytes) { bytes[first_of_run] = '\0'; }), "a text is not UTF-8");
 }
 
 TEST(Cdr, BelievesNoLengthWithoutItsItems) {

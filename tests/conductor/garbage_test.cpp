@@ -118,7 +118,7 @@ RC_GTEST_PROP(Garbage, IsNoReasonForAPlantToLoseVehicles, ()) {
       const bool in_plan = plan && *rc::gen::arbitrary<bool>();
       RC_LOG() << (in_plan ? test::spoil_one(*plan) : test::spoil_one(tick)) << " is spoilt";
     }
-    if (!complaint(tick, bounds_of(world)).empty()) {
+    if (!validate(tick, bounds_of(world)).empty()) {
       return;
     }
     std::multiset<int> vehicles = vehicles_of(plant);
@@ -144,7 +144,7 @@ TEST(MessageCheck, SaysWhatCannotBe) {
   const World world = test::world_of({});
   const MessageBounds bounds = bounds_of(world);
   const auto of_fault = [&](const Effect& effect) {
-    return complaint(Faults{.tick = 0, .effects = {effect}, .origin = {}}, bounds);
+    return validate(Faults{.tick = 0, .effects = {effect}, .origin = {}}, bounds);
   };
   EXPECT_EQ(of_fault({.type = EffectType::demand_scale, .region = 4, .magnitude = 2.0}), "");
   EXPECT_EQ(of_fault({.type = EffectType::demand_scale, .region = 5, .magnitude = 2.0}), "region 5");
@@ -156,7 +156,7 @@ TEST(MessageCheck, SaysWhatCannotBe) {
   EXPECT_EQ(of_fault({.type = EffectType::process_kill, .region = no_region, .process = ProcessRole::coordinator}), "");
 
   const auto of_move = [&](const Move& move) {
-    return complaint(Plan{.tick = 0, .moves = {move}, .provenance = {}, .origin = {}}, bounds);
+    return validate(Plan{.tick = 0, .moves = {move}, .provenance = {}, .origin = {}}, bounds);
   };
   EXPECT_EQ(of_move({.from = 0, .to = 4, .count = 60}), "");
   EXPECT_EQ(of_move({.from = -1, .to = 4, .count = 1}), "from -1");
@@ -167,7 +167,7 @@ TEST(MessageCheck, SaysWhatCannotBe) {
     Departures said;
     said.tick = 1;
     said.departures = {car};
-    return complaint(said, bounds);
+    return validate(said, bounds);
   };
   const Departure sound{.minute = 5, .to = 1, .arrival_minute = 10, .errand = Errand::charge, .vehicle = {}, .km = 1.0};
   Departure car = sound;
@@ -185,11 +185,11 @@ TEST(MessageCheck, SaysWhatCannotBe) {
 
   Tick tick;
   tick.arrivals = {{.region = 0, .minute = 0, .vehicle = {.id = 3}}, {.region = 1, .minute = 4, .vehicle = {.id = 3}}};
-  EXPECT_EQ(complaint(tick, bounds), "vehicle 3 twice");
+  EXPECT_EQ(validate(tick, bounds), "vehicle 3 twice");
   tick.arrivals.pop_back();
-  EXPECT_EQ(complaint(tick, bounds), "");
+  EXPECT_EQ(validate(tick, bounds), "");
   tick.tick = bounds.clock.ticks();
-  EXPECT_EQ(complaint(tick, bounds), "tick 228");
+  EXPECT_EQ(validate(tick, bounds), "tick 228");
 }
 
 RC_GTEST_PROP(MessageCheck, AcceptsWhatIsSaidInADay, ()) {
@@ -199,7 +199,7 @@ RC_GTEST_PROP(MessageCheck, AcceptsWhatIsSaidInADay, ()) {
   InprocPlayers players(
       world, [](const Tick& tick, const auto& reports) { return test::wander(7, tick.tick, reports); },
       [&](int tick) { return faults[tick]; });
-  run_day(world, players, [&](const TickRecord& record) { RC_ASSERT(complaint(record.tick, bounds) == ""); });
+  run_day(world, players, [&](const TickRecord& record) { RC_ASSERT(validate(record.tick, bounds) == ""); });
 }
 
 }  // namespace

@@ -103,10 +103,10 @@ Schedule random_schedule() {
 
 RC_GTEST_PROP(ScheduleProperty, ResolvedListReadsBackUnchanged, ()) {
   const Schedule schedule = random_schedule();
-  const FaultContext place = small_place();
-  const std::string yaml = schedule_yaml(schedule, place.clock);
+  const FaultContext context = small_context();
+  const std::string yaml = schedule_yaml(schedule, context.clock);
   RC_ASSERT(read_text(yaml) == schedule);
-  RC_ASSERT(schedule_yaml(read_text(yaml), place.clock) == yaml);
+  RC_ASSERT(schedule_yaml(read_text(yaml), context.clock) == yaml);
 }
 
 RC_GTEST_PROP(ScheduleProperty, SeedDecidesTheDraws, (std::uint64_t seed)) {
@@ -121,10 +121,10 @@ RC_GTEST_PROP(ScheduleProperty, SeedDecidesTheDraws, (std::uint64_t seed)) {
 }
 
 RC_GTEST_PROP(ScheduleProperty, FaultsAreWithinTheDayAndTheCity, ()) {
-  const FaultContext place = small_place();
+  const FaultContext context = small_context();
   for (const auto& fault : random_schedule().faults) {
     const FaultType& type = fault_type(fault.type);
-    RC_ASSERT(fault.start >= 0 && fault.start < place.clock.minutes());
+    RC_ASSERT(fault.start >= 0 && fault.start < context.clock.minutes());
     RC_ASSERT(fault.duration >= 1);
     RC_ASSERT(fault.ramp >= 0 && 2 * fault.ramp <= fault.duration);
     RC_ASSERT(!fault.regions.empty() && std::is_sorted(fault.regions.begin(), fault.regions.end()));
@@ -132,21 +132,21 @@ RC_GTEST_PROP(ScheduleProperty, FaultsAreWithinTheDayAndTheCity, ()) {
     for (std::size_t i = 0; i < fault.regions.size(); ++i) {
       const bool points = type.counts_points();
       RC_ASSERT(fault.magnitudes[i] >= (points ? 1.0 : type.range.low));
-      RC_ASSERT(fault.magnitudes[i] <= (points ? place.points_per_region.at(fault.regions[i]) : type.range.high));
+      RC_ASSERT(fault.magnitudes[i] <= (points ? context.points_per_region.at(fault.regions[i]) : type.range.high));
     }
   }
 }
 
 RC_GTEST_PROP(ScheduleProperty, EveryFaultActsInItsWindowOnly, ()) {
-  const FaultContext place = small_place();
+  const FaultContext context = small_context();
   const Schedule schedule = random_schedule();
   std::vector<int> acted(schedule.faults.size());
-  for (int tick = 0; tick < place.clock.ticks(); ++tick) {
-    for (const auto& effect : faults_at(schedule, place.clock, tick).effects) {
+  for (int tick = 0; tick < context.clock.ticks(); ++tick) {
+    for (const auto& effect : faults_at(schedule, context.clock, tick).effects) {
       const Fault& fault = schedule.faults.at(effect.fault);
       const double full = fault.magnitudes.at(std::find(fault.regions.begin(), fault.regions.end(), effect.region) -
                                               fault.regions.begin());
-      const TickWindow window = tick_window(fault, place.clock);
+      const TickWindow window = tick_window(fault, context.clock);
       RC_ASSERT(window.holds(tick));
       const double neutral = fault_type(fault.type).neutral;
       const bool absence = effect.type == EffectType::process_kill || effect.type == EffectType::process_pause;

@@ -129,15 +129,15 @@ std::string example_under(const std::string& heading) {
 }
 
 TEST(Schedule, TakesTheExamplesOfItsPage) {
-  const FaultContext place{DayClock{}, std::vector<int>(13, 6)};
+  const FaultContext context{DayClock{}, std::vector<int>(13, 6)};
   YamlMap request(YamlValue::parse(example_under("## An example"), "faults.md"));
-  const auto drawn = read_schedules(request, place).front();
+  const auto drawn = read_schedules(request, context).front();
   EXPECT_EQ(drawn.faults.at(0).name, "evening-spike");
   EXPECT_EQ(drawn.faults.at(1).name, "hub-outage-1");
   EXPECT_TRUE(request.find("expect"));
   EXPECT_NO_THROW(request.finish());
   YamlMap resolved(YamlValue::parse(example_under("## The resolved schedule"), "faults.md"));
-  EXPECT_EQ(read_resolved(resolved, place).faults.at(0).magnitudes, (std::vector<double>{4, 6}));
+  EXPECT_EQ(read_resolved(resolved, context).faults.at(0).magnitudes, (std::vector<double>{4, 6}));
 }
 
 }  // namespace
