@@ -5,7 +5,7 @@
 
 namespace evbal {
 
-std::string DayClock::complaint() const {
+std::string DayClock::validate() const {
   if (start < 0 || end > 24 * 60 || start >= end) {
     return "the day must start before it ends, between 00:00 and 24:00";
   }

@@ -20,8 +20,8 @@ struct DayClock {
   int step_of(int minute) const { return minute / step; }
   bool plan_due(int tick_index) const { return minute_of(tick_index) % plan_every == 0; }
 
-  /// Throws nothing: empty if the clock is consistent, else what is wrong and what would be right.
-  std::string complaint() const;
+  /// What is wrong with the clock, and what would be right; empty if nothing is.
+  std::string validate() const;
 };
 
 /// "17:30" for a minute since the day's start.

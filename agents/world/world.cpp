@@ -105,8 +105,8 @@ DayClock read_clock(const std::optional<YamlValue>& value, const City& city) {
   minutes("step", clock.step);
   minutes("plan_every", clock.plan_every);
   map.finish();
-  if (!clock.complaint().empty()) {
-    throw value->error(clock.complaint());
+  if (const auto wrong = clock.validate(); !wrong.empty()) {
+    throw value->error(wrong);
   }
   if (clock.start < city.day_start) {
     throw value->error("the day starts before the city's records do");

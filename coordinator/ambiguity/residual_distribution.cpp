@@ -69,7 +69,7 @@ Eigen::VectorXd inflation(const ResidualDistribution& errors, const NormalisedIn
   return (squared > errors.alarm).select(squared, 1.0).sqrt();
 }
 
-void widen(MomentSet& set, const Eigen::VectorXd& by) {
+void inflate(MomentSet& set, const Eigen::VectorXd& by) {
   const Eigen::VectorXd each = by.replicate(set.mean.size() / by.size(), 1);
   set.deviation = set.deviation.cwiseProduct(each);
   set.factors = each.asDiagonal() * set.factors;

@@ -14,7 +14,7 @@ namespace evbal {
 struct ResidualDistribution {
   Covariance covariance;               ///< of N tau scaled errors, step-major
   std::vector<Thresholds> thresholds;  ///< entry k: of the first k + 1 steps
-  double alarm = 0.0;                  ///< NormalisedInnovation beyond which errors are no longer of this distribution
+  double alarm = 0.0;                  ///< normalised innovation beyond which errors are no longer so distributed
 
   int leads() const { return static_cast<int>(thresholds.size()); }
 };
@@ -29,11 +29,11 @@ ResidualDistribution fit_residual_distribution(const Eigen::MatrixXd& residuals,
 /// regular.
 MomentSet moment_set(const ResidualDistribution& errors, const Eigen::MatrixXd& mean, const Eigen::MatrixXd& scale);
 
-/// What standard deviations are multiplied by where recent errors leave their distribution (N): the root of a region's
-/// normalised_innovation, or of the city's if that is more, where it exceeds the alarm; 1 elsewhere.
+/// What the innovation test multiplies standard deviations by (N): the root of a region's normalised innovation, or of
+/// the city's if that is more, where it exceeds the alarm; 1 elsewhere.
 Eigen::VectorXd inflation(const ResidualDistribution& errors, const NormalisedInnovation& normalised_innovation);
 
 /// Multiplies each region's standard deviations by `by` (N), in all steps.
-void widen(MomentSet& set, const Eigen::VectorXd& by);
+void inflate(MomentSet& set, const Eigen::VectorXd& by);
 
 }  // namespace evbal

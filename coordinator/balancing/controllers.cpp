@@ -47,7 +47,9 @@ const std::vector<Controller>& controllers() {
       {"scenario", optimum({Shortage::band, Uncertainty::samples, Uncertainty::mean}), true},
       {"ratio", optimum({Shortage::ratio, Uncertainty::mean, Uncertainty::mean})},
       {"turnover", optimum({Shortage::turnover, Uncertainty::counts, Uncertainty::mean})},
-      {"oracle", optimum({Shortage::turnover, Uncertainty::counts, Uncertainty::mean})},  // on true forecasts
+      {.name = "oracle",
+       .plan = optimum({Shortage::turnover, Uncertainty::counts, Uncertainty::mean}),
+       .foresees = true},
   };
   return all;
 }
@@ -70,6 +72,16 @@ BalancingResult balance(const std::string& controller, const BalancingParameters
 bool draws_samples(const std::string& controller) {
   const auto known = std::ranges::find(controllers(), controller, &Controller::name);
   return known == controllers().end() || known->draws_samples;
+}
+
+bool foresees(const std::string& controller, const std::vector<Controller>& own) {
+  for (const auto* known : {&own, &controllers()}) {
+    const auto found = std::ranges::find(*known, controller, &Controller::name);
+    if (found != known->end()) {
+      return found->foresees;
+    }
+  }
+  return false;
 }
 
 std::vector<std::string> controller_names() {

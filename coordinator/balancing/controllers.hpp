@@ -19,6 +19,7 @@ struct Controller {
   std::string name;  ///< that scenarios use
   PlanFunction plan;
   bool draws_samples = false;  ///< plans for PlanningData::demand_samples
+  bool foresees = false;       ///< is told the true demand in place of a forecast
 };
 
 /// Solves the balancing problem with these options.
@@ -43,6 +44,9 @@ BalancingResult balance(const std::string& controller, const BalancingParameters
 /// Whether this controller plans for PlanningData::demand_samples, of which it needs one at least; a name that is not
 /// among controllers() may.
 bool draws_samples(const std::string& controller);
+
+/// Whether this controller, one of `own` or of controllers(), is told the true demand; false if it is neither.
+bool foresees(const std::string& controller, const std::vector<Controller>& own = {});
 
 /// Names of controllers(), in their order.
 std::vector<std::string> controller_names();

@@ -46,7 +46,7 @@ void bridge(const Command& command, const ProcessOptions& options, Participant& 
     made.provenance.controller = controller;
     return made;
   };
-  // What the child knows is its own affair: after a restart it is asked once more.
+  // The child's state cannot be saved: after a restart a new child is asked for the past plans once more.
   serve_coordinator(
       participant, options,
       {.plan = plan,

@@ -4,8 +4,8 @@
 
 namespace evbal {
 
-/// How far what came lately lay off what was expected of it: mean squares over the last steps, in units of their
-/// variance; about 1 while errors are as they were in training, 0 where nothing is known.
+/// Normalised innovation squared: the mean over the last steps of squared innovations (what came less what was expected
+/// of it), each over its variance; about 1 while errors are as they were in training, 0 where nothing is known.
 struct NormalisedInnovation {
   double city = 0.0;
   Eigen::VectorXd region;  ///< N

@@ -4,7 +4,7 @@
 
 namespace evbal {
 
-/// Forecasts what will happen, because it was told; for the `oracle`, which bounds what better forecasts could bring.
+/// Gives the true counts as the forecast: for controllers that show what better forecasts could bring at most.
 class Foreknowledge : public Forecaster {
  public:
   /// `counts` of every region in each tick of the day, N x ticks; a step of `step` minutes is made of whole ticks.

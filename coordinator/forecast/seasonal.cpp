@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string_view>
 
 namespace evbal {
@@ -20,7 +21,7 @@ int digits(std::string_view text, std::size_t at, std::size_t count) {
   return code == std::errc{} && end == first + count ? value : -1;
 }
 
-std::chrono::year_month_day calendar_day(const std::string& date) {
+std::optional<std::chrono::year_month_day> calendar_day(const std::string& date) {
   using namespace std::chrono;
   if (date.size() == 10 && date[4] == '-' && date[7] == '-') {
     const int y = digits(date, 0, 4);
@@ -33,7 +34,7 @@ std::chrono::year_month_day calendar_day(const std::string& date) {
       }
     }
   }
-  throw bad_input("`" + date + "` is no date; write it as 2008-06-03");
+  return {};
 }
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -43,10 +44,10 @@ double city_total(const Eigen::ArrayXd& mean) {
   return std::max(1.0, mean.sum());
 }
 
-constexpr int surprise_steps = 3;
+constexpr int recent_steps = 3;
 
-/// Squares of innovations in units of their variance, which is taken to be a Poisson count's at least: of a region with
-/// few counts, a model of less variance knows too little.
+/// Mean of squared innovations over their variance, which is taken to be a Poisson count's at least: of a region with
+/// few counts, a smaller variance was fitted to too little.
 class MeanSquare {
  public:
   void add(const Innovation& innovation) {
@@ -65,8 +66,16 @@ class MeanSquare {
 
 }  // namespace
 
+bool is_date(const std::string& text) {
+  return calendar_day(text).has_value();
+}
+
 DayKind day_kind(const std::string& date, bool holiday) {
-  const std::chrono::weekday weekday{std::chrono::sys_days{calendar_day(date)}};
+  const auto day = calendar_day(date);
+  if (!day) {
+    throw bad_input("`" + date + "` is no date; write it as 2008-06-03");
+  }
+  const std::chrono::weekday weekday{std::chrono::sys_days{*day}};
   if (holiday || weekday == std::chrono::Sunday) {
     return DayKind::sunday;
   }
@@ -154,34 +163,34 @@ Eigen::VectorXd SeasonalForecaster::scale_of(int from) const {
 }
 
 SeasonalForecaster::Prediction SeasonalForecaster::predict(int minute, int tau) const {
-  ArimaFilter city = city_;
-  std::vector<ArimaFilter> regions = region_;
-  MeanSquare off_city;
-  std::vector<MeanSquare> off(regions.size());
+  ArmaFilter city = city_;
+  std::vector<ArmaFilter> regions = region_;
+  MeanSquare city_square;
+  std::vector<MeanSquare> squares(regions.size());
   for (int from = minute % step_minutes_; from < minute; from += step_minutes_) {
     const Deviation now = seen(from, from + step_minutes_);
-    const bool recent = from >= minute - surprise_steps * step_minutes_;
-    const auto take = [recent](ArimaFilter& filter, double y, MeanSquare& sum) {
+    const bool recent = from >= minute - recent_steps * step_minutes_;
+    const auto take = [recent](ArmaFilter& filter, double y, MeanSquare& square) {
       const Innovation innovation = filter.observe(y);
       if (recent) {
-        sum.add(innovation);
+        square.add(innovation);
       }
     };
-    take(city, now.city, off_city);
+    take(city, now.city, city_square);
     for (std::size_t i = 0; i < regions.size(); ++i) {
-      take(regions[i], now.region(static_cast<Eigen::Index>(i)), off[i]);
+      take(regions[i], now.region(static_cast<Eigen::Index>(i)), squares[i]);
     }
   }
   const Outlook city_ahead = city.outlook(tau);
   Prediction out{Eigen::MatrixXd::Zero(mean_.rows(), tau),
                  Eigen::MatrixXd::Zero(mean_.rows(), tau),
                  Eigen::VectorXd(tau),
-                 {off_city.value(), Eigen::VectorXd(mean_.rows())}};
+                 {city_square.value(), Eigen::VectorXd(mean_.rows())}};
   for (Eigen::Index i = 0; i < mean_.rows(); ++i) {
     const Outlook ahead = regions[static_cast<std::size_t>(i)].outlook(tau);
     out.mean.row(i) = ahead.mean;
     out.variance.row(i) = ahead.variance;
-    out.normalised_innovation.region(i) = off[static_cast<std::size_t>(i)].value();
+    out.normalised_innovation.region(i) = squares[static_cast<std::size_t>(i)].value();
   }
   for (int lead = 0; lead < tau; ++lead) {
     const int from = minute + lead * step_minutes_;

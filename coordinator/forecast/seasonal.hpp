@@ -1,7 +1,7 @@
 #pragma once
 
 #include "common/eigen.hpp"
-#include "coordinator/forecast/arima.hpp"
+#include "coordinator/forecast/arma.hpp"
 #include "coordinator/forecast/forecaster.hpp"
 
 #include <array>
@@ -18,6 +18,9 @@ enum class DayKind {
 };
 inline constexpr int day_kinds = 3;
 
+/// Whether `text` is an ISO date ("2008-06-03") of the Gregorian calendar.
+bool is_date(const std::string& text);
+
 /// Kind of an ISO date ("2008-06-03") by the Gregorian calendar; a holiday is like a Sunday.
 /// Throws Error{bad_input} if `date` is none.
 DayKind day_kind(const std::string& date, bool holiday);
@@ -30,8 +33,8 @@ DayKind day_kind(const std::string& date, bool holiday);
 struct SeasonalModel {
   int step_minutes = 30;
   std::array<Eigen::MatrixXd, day_kinds> mean;  ///< by DayKind, N x steps of the day
-  ArimaModel city;                              ///< of C
-  std::vector<ArimaModel> region;               ///< of w, N
+  ArmaModel city;                               ///< of C
+  std::vector<ArmaModel> region;                ///< of w, N
 
   int regions() const { return static_cast<int>(mean[0].rows()); }
 };
@@ -85,8 +88,8 @@ class SeasonalForecaster : public Forecaster {
 
   int step_minutes_;
   Eigen::MatrixXd mean_;  ///< of the day's kind
-  ArimaFilter city_;
-  std::vector<ArimaFilter> region_;
+  ArmaFilter city_;
+  std::vector<ArmaFilter> region_;
   int start_;
   std::vector<Piece> pieces_;
 };

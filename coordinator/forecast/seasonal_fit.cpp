@@ -95,7 +95,7 @@ SeasonalMeans seasonal_means(const std::vector<CountDay>& days) {
 
 SeasonalOrders choose_orders(const std::vector<CountDay>& days) {
   EVBAL_EXPECT(days.size() >= 2, "at least two days");
-  const std::vector<ArimaOrder> grid{{}, {.p = 1}, {.q = 1}, {.p = 1, .q = 1}, {.p = 2}, {.p = 2, .q = 1}};
+  const std::vector<ArmaOrder> grid{{}, {.p = 1}, {.q = 1}, {.p = 1, .q = 1}, {.p = 2}, {.p = 2, .q = 1}};
   Eigen::VectorXd counts = Eigen::VectorXd::Zero(days[0].counts.rows());
   for (const CountDay& day : days) {
     counts += day.counts.rowwise().sum();
@@ -104,11 +104,11 @@ SeasonalOrders choose_orders(const std::vector<CountDay>& days) {
   SeasonalOrders orders;
   orders.region.resize(series.region.size());
   if (counts.sum() >= thin) {
-    orders.city = choose_arima(series.city, grid).model.order;
+    orders.city = choose_arma(series.city, grid).model.order();
   }
   parallel_for(series.region.size(), [&](std::size_t i) {
     if (counts(static_cast<Eigen::Index>(i)) >= thin) {
-      orders.region[i] = choose_arima(series.region[i], grid).model.order;
+      orders.region[i] = choose_arma(series.region[i], grid).model.order();
     }
   });
   for (int i = 0; i < counts.size(); ++i) {
@@ -122,10 +122,10 @@ SeasonalOrders choose_orders(const std::vector<CountDay>& days) {
 SeasonalModel fit_seasonal(const std::vector<CountDay>& days, int step_minutes, const SeasonalOrders& orders) {
   EVBAL_EXPECT(days.size() >= 2, "at least two days");
   const Series series = deviations(days);
-  SeasonalModel model{step_minutes, smoothed_means(days), fit_arima(series.city, orders.city).model, {}};
+  SeasonalModel model{step_minutes, smoothed_means(days), fit_arma(series.city, orders.city).model, {}};
   model.region.resize(series.region.size());
   parallel_for(series.region.size(),
-               [&](std::size_t i) { model.region[i] = fit_arima(series.region[i], orders.region[i]).model; });
+               [&](std::size_t i) { model.region[i] = fit_arma(series.region[i], orders.region[i]).model; });
   return model;
 }
 
@@ -164,7 +164,7 @@ HeldOutDay hold_out(const SeasonalModel& model, const SeasonalMeans& rival, cons
   return out;
 }
 
-double daily_surprise(const std::vector<HeldOutDay>& days) {
+double daily_alarm(const std::vector<HeldOutDay>& days) {
   std::vector<double> largest;
   for (const HeldOutDay& day : days) {
     largest.insert(largest.end(), day.normalised_innovation.begin(), day.normalised_innovation.end());

@@ -15,9 +15,9 @@ struct CountDay {
 
 /// Orders of a SeasonalModel's autoregressive moving averages.
 struct SeasonalOrders {
-  ArimaOrder city;
-  std::vector<ArimaOrder> region;  ///< N
-  std::vector<int> thin;           ///< regions with too few counts for any: the seasonal mean is their forecast
+  ArmaOrder city;
+  std::vector<ArmaOrder> region;  ///< N
+  std::vector<int> thin;          ///< regions with too few counts for any: the seasonal mean is their forecast
 };
 
 /// Orders of least AICc among p <= 2, q <= 1; `days` are at least two of the same size.
@@ -41,7 +41,7 @@ struct HeldOutDay {
   Eigen::MatrixXd forecasts;
   Eigen::MatrixXd counts;                 ///< that came
   Eigen::MatrixXd residuals;              ///< errors divided by Forecaster::scale
-  Eigen::VectorXd normalised_innovation;  ///< the day's largest, of each region, the city's last
+  Eigen::VectorXd normalised_innovation;  ///< the day's largest of each region and, last, of the city: N + 1
   Skill skill;
 };
 
@@ -53,8 +53,9 @@ SeasonalMeans seasonal_means(const std::vector<CountDay>& days);
 
 HeldOutDay hold_out(const SeasonalModel& model, const SeasonalMeans& rival, const CountDay& day, int leads);
 
-/// The normalised_innovation that the city and its regions exceed together on one day in a day, on average over `days`.
-double daily_surprise(const std::vector<HeldOutDay>& days);
+/// The alarm of the innovation test: the normalised innovation that the city and its regions, all together, exceed once
+/// a day on average over `days`.
+double daily_alarm(const std::vector<HeldOutDay>& days);
 
 /// hold_out of each day with the model fitted to all others; needs at least three days.
 std::vector<HeldOutDay> leave_one_day_out(const std::vector<CountDay>& days, int step_minutes,

@@ -12,15 +12,15 @@ struct AnnouncedDemand {
   Eigen::VectorXd factor;  ///< N, on the passengers who usually appear
   Eigen::VectorXd added;   ///< N, passengers a minute beside these
 
-  /// The usual counts (N) that would be seen as `counts` in so many minutes; not known better than `counts` where the
-  /// factor leaves next to nothing, NaN where `counts` is.
+  /// The usual counts (N) that would be seen as `counts` in so many minutes: `counts` themselves where the factor is
+  /// too small to tell, NaN where they are NaN.
   Eigen::VectorXd as_usual(const Eigen::VectorXd& counts, int minutes) const;
 
-  /// Forecasts of usual demand, N x steps of so many minutes, as they are to be expected.
+  /// What is to be expected where `usual`, N x steps of so many minutes, is the forecast of usual demand.
   Eigen::MatrixXd as_announced(const Eigen::MatrixXd& usual, int minutes) const;
 };
 
-/// Of the effects that are visible.
+/// What the visible ones among `effects` announce.
 AnnouncedDemand announced_demand(const std::vector<Effect>& effects, int regions);
 
 }  // namespace evbal

@@ -24,7 +24,7 @@ struct Period {
 
 /// Everything that `evbal fit` estimates of a city (model, sections 2 and 5).
 struct CityModel {
-  std::string city;
+  std::string city;                   ///< name of the pack that it was fitted to
   int day_start = 0;                  ///< minute after midnight at which the seasonal means start
   int step_minutes = 30;              ///< Delta
   std::vector<std::string> holidays;  ///< ISO dates on record that are like Sundays, ascending
@@ -35,6 +35,9 @@ struct CityModel {
   double mean_session_minutes = 0.0;
 
   int regions() const { return demand.seasonal.regions(); }
+
+  /// Of the day, from `day_start` on.
+  int steps() const { return static_cast<int>(demand.seasonal.mean[0].cols()); }
 
   /// Steps that can be forecast at most.
   int leads() const { return demand.errors.leads(); }

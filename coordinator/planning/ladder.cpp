@@ -24,29 +24,33 @@ std::vector<Flow> step_of(const std::vector<std::vector<Flow>>& steps, std::size
   return step < steps.size() ? steps[step] : std::vector<Flow>{};
 }
 
+std::size_t steps_of(const Dispatch& dispatch) {
+  return std::max(dispatch.vacant.size(), dispatch.low_battery.size());
+}
+
 }  // namespace
 
 Ladder::Ladder(std::string controller, Balancer balancer)
     : controller_(std::move(controller)), balancer_(std::move(balancer)) {}
 
-Decision Ladder::decide(const PlanningData& data, const EngineSettings& engine) {
+Decision Ladder::decide(int minute, const PlanningData& data, const EngineSettings& engine) {
   BalancingResult first = balancer_(controller_, data, engine);
   if (first.certificate.optimal()) {
-    return solved(std::move(first), FallbackLevel::none, "");
+    return solved(minute, std::move(first), FallbackLevel::none, "");
   }
   std::string reason = controller_ + ": " + first.certificate.reason;
   if (controller_ != nominal) {
     BalancingResult second = balancer_(nominal, data, engine);
     if (second.certificate.optimal()) {
-      return solved(std::move(second), FallbackLevel::nominal, std::move(reason));
+      return solved(minute, std::move(second), FallbackLevel::nominal, std::move(reason));
     }
     reason += "; " + nominal + ": " + second.certificate.reason;
   }
-  return unsolved(data, reason);
+  return unsolved(minute, data, reason);
 }
 
-Decision Ladder::solved(BalancingResult result, FallbackLevel level, std::string reason) {
-  memory_ = {.last = std::move(result.dispatch), .next_step = 1, .failures_in_a_row = 0};
+Decision Ladder::solved(int minute, BalancingResult result, FallbackLevel level, std::string reason) {
+  memory_ = {.last = std::move(result.dispatch), .minute = minute, .next_step = 1, .failures_in_a_row = 0};
   const Certificate& certificate = result.certificate;
   return {step_of(memory_.last.vacant, 0),
           step_of(memory_.last.low_battery, 0),
@@ -61,18 +65,21 @@ Decision Ladder::solved(BalancingResult result, FallbackLevel level, std::string
            .iterations = certificate.iterations}};
 }
 
-Decision Ladder::unsolved(const PlanningData& data, const std::string& reason) {
+Decision Ladder::unsolved(int minute, const PlanningData& data, const std::string& reason) {
   const Dispatch& last = memory_.last;
-  const std::size_t step = memory_.next_step++;
   ++memory_.failures_in_a_row;
   Decision decision;
   decision.provenance.controller = controller_;
   decision.provenance.fallback = FallbackLevel::hold;
   decision.provenance.reason = reason + "; failures in a row: " + std::to_string(memory_.failures_in_a_row);
-  if (step > 0 && step < std::max(last.vacant.size(), last.low_battery.size())) {
+  const auto step = static_cast<std::size_t>((minute - memory_.minute) / data.step_minutes);
+  if (step < steps_of(last)) {
+    decision.provenance.fallback = FallbackLevel::shifted;
+  }
+  if (step < steps_of(last) && step >= memory_.next_step) {
     decision.vacant = within(step_of(last.vacant, step), data.state.vacant);
     decision.low_battery = within(step_of(last.low_battery, step), data.state.low_battery);
-    decision.provenance.fallback = FallbackLevel::shifted;
+    memory_.next_step = step + 1;
   }
   return decision;
 }

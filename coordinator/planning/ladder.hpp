@@ -23,13 +23,14 @@ struct Decision {
   Provenance provenance;  ///< without the engine's name
 };
 
-/// The fallback ladder (model, section 4): the controller itself, else nominal, else the next step of the last plan
-/// that was solved, else nobody moves.
+/// The fallback ladder (model, section 4): the controller itself, else nominal, else the step of the last plan that was
+/// solved which covers the minute, else nobody moves. A step's vehicles are sent once, by the first decision in it.
 class Ladder {
  public:
   Ladder(std::string controller, Balancer balancer);
 
-  Decision decide(const PlanningData& data, const EngineSettings& engine);
+  /// `minute` of the day; never before that of the last call.
+  Decision decide(int minute, const PlanningData& data, const EngineSettings& engine);
 
   const LadderMemory& memory() const { return memory_; }
 
@@ -37,8 +38,8 @@ class Ladder {
   void recall(LadderMemory memory) { memory_ = std::move(memory); }
 
  private:
-  Decision solved(BalancingResult result, FallbackLevel level, std::string reason);
-  Decision unsolved(const PlanningData& data, const std::string& reason);
+  Decision solved(int minute, BalancingResult result, FallbackLevel level, std::string reason);
+  Decision unsolved(int minute, const PlanningData& data, const std::string& reason);
 
   std::string controller_;
   Balancer balancer_;

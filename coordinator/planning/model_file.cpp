@@ -1,6 +1,7 @@
 #include "common/files.hpp"
 #include "coordinator/planning/city_model.hpp"
 #include "coordinator/planning/json_reader.hpp"
+#include "coordinator/planning/report_check.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -15,7 +16,12 @@ namespace {
 using nlohmann::json;
 
 constexpr int schema = 3;
-constexpr double large = 1e9;
+// No city comes near these; far beyond them a problem has numbers that no solver can scale.
+constexpr double most_a_minute = most_passengers_a_minute;  // mean count of a region
+constexpr double most_deviation = 1e3;                      // of errors in units of their scale, 1 for Poisson counts
+constexpr double most_threshold = 1e4;                      // g1, g2
+constexpr double most_square = most_deviation * most_deviation;
+constexpr double most_coefficient = 10.0;  // of autoregressions and moving averages that die away
 constexpr std::array<const char*, day_kinds> kind_names{"weekday", "saturday", "sunday"};
 
 using TransitionKey = std::pair<const char*, Eigen::MatrixXd Transitions::*>;
@@ -39,7 +45,7 @@ json to_json(const Eigen::VectorXd& vector) {
   return std::vector<double>(vector.begin(), vector.end());
 }
 
-json to_json(const ArimaModel& arma) {
+json to_json(const ArmaModel& arma) {
   return {{"ar", to_json(arma.ar)}, {"ma", to_json(arma.ma)}, {"variance", arma.variance}};
 }
 
@@ -49,7 +55,7 @@ json to_json(const SeriesModel& series) {
     mean[kind_names[kind]] = to_json(series.seasonal.mean[kind]);
   }
   json region = json::array();
-  for (const ArimaModel& arma : series.seasonal.region) {
+  for (const ArmaModel& arma : series.seasonal.region) {
     region.push_back(to_json(arma));
   }
   std::vector<double> g1;
@@ -95,15 +101,16 @@ Eigen::VectorXd read_vector(JsonObject& in, const char* key, double low, double 
   return Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
 }
 
-ArimaModel read_arma(JsonObject in) {
-  ArimaModel arma;
-  arma.ar = read_vector(in, "ar", -large, large);
-  arma.ma = read_vector(in, "ma", -large, large);
-  arma.order.p = static_cast<int>(arma.ar.size());
-  arma.order.q = static_cast<int>(arma.ma.size());
-  arma.variance = in.number("variance", 0.0, large);
+ArmaModel read_arma(JsonObject in) {
+  ArmaModel arma;
+  arma.ar = read_vector(in, "ar", -most_coefficient, most_coefficient);
+  arma.ma = read_vector(in, "ma", -most_coefficient, most_coefficient);
+  arma.variance = in.number("variance", 0.0, most_square);
   if (!stationary(arma.ar)) {
     throw in.error("ar", "an autoregression that dies away is expected");
+  }
+  if (!invertible(arma.ma)) {
+    throw in.error("ma", "a moving average that can be inverted is expected");
   }
   in.finish();
   return arma;
@@ -112,9 +119,10 @@ ArimaModel read_arma(JsonObject in) {
 SeriesModel read_series(JsonObject in, const Shape& shape) {
   SeriesModel series;
   series.seasonal.step_minutes = shape.step_minutes;
+  const double most_mean = most_a_minute * shape.step_minutes;
   JsonObject mean = in.object("mean");
   for (std::size_t kind = 0; kind < kind_names.size(); ++kind) {
-    series.seasonal.mean[kind] = mean.matrix(kind_names[kind], shape.regions, shape.steps, 0.0, large);
+    series.seasonal.mean[kind] = mean.matrix(kind_names[kind], shape.regions, shape.steps, 0.0, most_mean);
   }
   mean.finish();
   series.seasonal.city = read_arma(in.object("city"));
@@ -125,20 +133,23 @@ SeriesModel read_series(JsonObject in, const Shape& shape) {
     throw in.error("region", "one for each of the " + std::to_string(shape.regions) + " regions is expected");
   }
   const Eigen::Index size = static_cast<Eigen::Index>(shape.regions) * shape.leads;
-  series.errors.covariance.deviation = read_vector(in, "deviation", 0.0, large);
+  series.errors.covariance.deviation = read_vector(in, "deviation", 0.0, most_deviation);
   if (series.errors.covariance.deviation.size() != size) {
     throw in.error("deviation", std::to_string(size) + " numbers are expected");
   }
-  series.errors.covariance.factors = in.matrix("factors", size, -large, large);
-  const auto g1 = in.numbers("g1", 0.0, large);
-  const auto g2 = in.numbers("g2", 0.0, large);
+  series.errors.covariance.factors = in.matrix("factors", size, -most_deviation, most_deviation);
+  if (series.errors.covariance.factors.cols() > size) {
+    throw in.error("factors", "at most " + std::to_string(size) + " columns are expected");
+  }
+  const auto g1 = in.numbers("g1", 0.0, most_threshold);
+  const auto g2 = in.numbers("g2", 0.0, most_threshold);
   if (g1.size() != static_cast<std::size_t>(shape.leads) || g2.size() != g1.size()) {
     throw in.error("g1", std::to_string(shape.leads) + " numbers are expected, and as many of g2");
   }
   for (std::size_t lead = 0; lead < g1.size(); ++lead) {
     series.errors.thresholds.push_back({g1[lead], g2[lead]});
   }
-  series.errors.alarm = in.number("alarm", 0.0, large);
+  series.errors.alarm = in.number("alarm", 0.0, most_square);
   in.finish();
   return series;
 }
@@ -152,6 +163,9 @@ Turnover read_turnover(JsonObject in, const Shape& shape) {
     throw in.error("variance_linear", "one number at least is expected, and as many of variance_quadratic");
   }
   turnover.same_step_dropoffs = in.matrix("same_step_dropoffs", shape.regions, shape.regions, 0.0, 1.0);
+  if (!(turnover.same_step_dropoffs.rowwise().sum().array() <= 1.0 + 1e-6 * shape.regions).all()) {
+    throw in.error("same_step_dropoffs", "the shares of one region's trips add up to more than one");
+  }
   in.finish();
   return turnover;
 }
@@ -186,8 +200,16 @@ CityModel read_model(const std::filesystem::path& file) {
   model.step_minutes = in.integer("step_minutes", 1, 24 * 60);
   model.holidays = in.texts("holidays");
   std::sort(model.holidays.begin(), model.holidays.end());
+  for (const std::string& date : model.holidays) {
+    if (!is_date(date)) {
+      throw in.error("holidays", "`" + date + "` is no date; write it as 2008-06-03");
+    }
+  }
   const Shape shape{in.integer("regions", 1, 10000), in.integer("steps", 1, 24 * 60), in.integer("leads", 1, 48),
                     model.step_minutes};
+  if (model.day_start + shape.steps * model.step_minutes > 24 * 60) {
+    throw in.error("day_start", "a day of " + std::to_string(shape.steps) + " steps that ends by midnight is expected");
+  }
   model.demand = read_series(in.object("demand"), shape);
   model.completions = read_series(in.object("completions"), shape);
   for (JsonObject& period : in.objects("periods")) {
@@ -209,7 +231,7 @@ void write_model(const CityModel& model, const std::filesystem::path& file) {
       {"schema", schema},
       {"city", model.city},
       {"regions", model.regions()},
-      {"steps", model.demand.seasonal.mean[0].cols()},
+      {"steps", model.steps()},
       {"leads", model.leads()},
       {"day_start", model.day_start},
       {"step_minutes", model.step_minutes},

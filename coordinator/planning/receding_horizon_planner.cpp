@@ -15,7 +15,7 @@
 
 namespace evbal {
 
-/// What a coordinator cannot find out again from the reports of the day.
+/// What a planner cannot find out again from the reports of the day.
 struct Memory {
   LadderMemory ladder;
   std::vector<Move> moves;  ///< of the last plan
@@ -30,8 +30,19 @@ void check_fit(const City& city, const DayClock& clock, const PlanningSettings& 
   const auto refuse = [&](const std::string& what) {
     throw bad_input(file, 0, what + "; fit a model to this city with `evbal fit`");
   };
+  if (model.city != city.name) {
+    refuse("the model is of " + model.city + ", the city is " + city.name);
+  }
   if (model.regions() != city.size()) {
     refuse("the model has " + std::to_string(model.regions()) + " regions, the city " + std::to_string(city.size()));
+  }
+  if (model.day_start != city.day_start) {
+    refuse("the model's day starts at " + time_of_day({.start = model.day_start}, 0) + ", the city's at " +
+           time_of_day({.start = city.day_start}, 0));
+  }
+  if (model.step_minutes == city.step_minutes && model.steps() != city.steps_per_day()) {
+    refuse("the model's day has " + std::to_string(model.steps()) + " steps, the city's " +
+           std::to_string(city.steps_per_day()));
   }
   if (model.step_minutes != clock.step) {
     refuse("the model has steps of " + std::to_string(model.step_minutes) + " min, the clock of " +
@@ -70,8 +81,9 @@ EngineSettings under_faults(EngineSettings engine, const std::vector<Effect>& ef
   return engine;
 }
 
-/// A vehicle too few counts as much as a passenger too many.
-void grow(MomentSet& demand, const Eigen::VectorXd& variance) {
+/// Adds the variance of the number of vacant vehicles (N) to that of demand: a vehicle too few counts as much as a
+/// passenger too many.
+void add_variance(MomentSet& demand, const Eigen::VectorXd& variance) {
   const Eigen::Index n = variance.size();
   for (Eigen::Index i = 0; i < demand.deviation.size(); ++i) {
     const double more = variance(i % n);
@@ -126,6 +138,7 @@ void RecedingHorizonPlanner::foresee(const Eigen::MatrixXd& demand_by_tick) {
   EVBAL_EXPECT(demand_by_tick.rows() == model_.regions() && demand_by_tick.cols() == clock_.ticks(),
                "demand of every region and tick of the day");
   demand_ = std::make_unique<Foreknowledge>(demand_by_tick, clock_.tick, clock_.step);
+  foresees_ = true;
 }
 
 RecedingHorizonPlanner::Inflation RecedingHorizonPlanner::inflation_at(int minute) const {
@@ -145,13 +158,13 @@ PlanningData RecedingHorizonPlanner::data(int minute, const std::vector<Report>&
   data.points = points_ahead(reports, tau);
   data.demand = moment_set(model_.demand.errors, told_.as_announced(demand_->forecast(minute, tau), clock_.step),
                            demand_->scale(minute, tau));
-  widen(data.demand, by.demand);
-  grow(data.demand, fleet_.variance());
+  inflate(data.demand, by.demand);
+  add_variance(data.demand, fleet_.variance());
   data.demand_samples = gaussian_samples(data.demand, draws_samples(settings_.controller) ? demand_samples : 0);
   data.completions =
       moment_set(model_.completions.errors, has_points_.asDiagonal() * completions_->forecast(minute, tau),
                  has_points_.asDiagonal() * completions_->scale(minute, tau));
-  widen(data.completions, by.completions);
+  inflate(data.completions, by.completions);
   data.free_points = free_points(reports, minute, clock_.step, session_quantiles_, data.completions);
   data.turnover = model_.turnover;
   for (int step = 0; step < tau; ++step) {
@@ -171,7 +184,7 @@ std::vector<Report> RecedingHorizonPlanner::observe(const Tick& tick, const std:
   std::vector<Report> believed = fleet_.settle(tick.tick, checked.good);
   demand_->observe(minute, told_.as_usual(heard(checked.good, &Report::demand), minute - before));
   completions_->observe(minute, heard(checked.good, &Report::completions));
-  told_ = announced_demand(settings_.foresees() ? std::vector<Effect>{} : tick.effects, model_.regions());
+  told_ = announced_demand(foresees_ ? std::vector<Effect>{} : tick.effects, model_.regions());
   last_ = {};
   last_.tick = tick.tick;
   last_.provenance.rejected = std::move(checked.rejected);
@@ -194,7 +207,7 @@ Plan RecedingHorizonPlanner::plan(const Tick& tick, const std::vector<Report>& r
   const std::vector<Report> believed = observe(tick, reports);
   const Inflation by = inflation_at(minute);
   const PlanningData known = data(minute, believed, by);
-  Decision decision = ladder_.decide(known, under_faults(settings_.engine, tick.effects));
+  Decision decision = ladder_.decide(minute, known, under_faults(settings_.engine, tick.effects));
   add_moves(last_.moves, Errand::rebalance, decision.vacant, known.state.vacant);
   add_moves(last_.moves, Errand::charge, decision.low_battery, known.state.low_battery);
   decision.provenance.rejected = std::move(last_.provenance.rejected);

@@ -35,8 +35,8 @@ class RecedingHorizonPlanner {
   RecedingHorizonPlanner(const City& city, const DayClock& clock, const std::string& date, PlanningSettings settings,
                          CityModel model, Balancer balancer);
 
-  /// Tells what the demand will be, N x ticks of the day, in place of a forecast: before the first plan, and only for
-  /// the `oracle`.
+  /// Tells what the demand will be, N x ticks of the day, in place of a forecast and of what is announced: before the
+  /// first plan, and only for controllers that foresee.
   void foresee(const Eigen::MatrixXd& demand_by_tick);
 
   /// The plan of `tick`, which is due; `reports` are what came, in any order. To be called for every tick at
@@ -46,8 +46,8 @@ class RecedingHorizonPlanner {
   /// What later plans depend on beside the reports, as bytes.
   std::string memory() const;
 
-  /// In place of plan(), for a coordinator that takes over from another: the tick's reports, and what the other's
-  /// memory() was after its plan. Throws as plan() does.
+  /// In place of plan(), for a planner that takes over from another: the tick's reports, and what the other's memory()
+  /// was after its plan. Throws as plan() does.
   void recall(const Tick& tick, const std::vector<Report>& reports, const std::string& memory);
 
  private:
@@ -71,10 +71,11 @@ class RecedingHorizonPlanner {
   std::vector<double> session_quantiles_;
   Eigen::VectorXd has_points_;  ///< 1 where the city has points, working or not, else 0
   std::unique_ptr<Forecaster> demand_;
+  bool foresees_ = false;  ///< whether demand_ is the true demand
   std::unique_ptr<Forecaster> completions_;
   ReportBounds bounds_;
   FleetEstimate fleet_;
-  AnnouncedDemand told_;  ///< with the last plan
+  AnnouncedDemand told_;  ///< with the last plan's tick
   Plan last_;
   Ladder ladder_;
 };

@@ -9,9 +9,7 @@
 namespace evbal {
 namespace {
 
-constexpr std::int64_t most_passengers_a_minute = 1000;  // in one region, which no city has
-
-std::string more(const std::string& what, std::int64_t is, const std::string& limit, std::int64_t at_most) {
+std::string validate_count(const std::string& what, std::int64_t is, const std::string& limit, std::int64_t at_most) {
   return is <= at_most ? "" : what + " " + std::to_string(is) + ", " + limit + " " + std::to_string(at_most);
 }
 
@@ -23,7 +21,7 @@ std::int64_t vehicles_bound(const Report& report) {
   return vehicles;
 }
 
-std::string complaint_about_lists(const Report& report, int minute) {
+std::string validate_lists(const Report& report, int minute) {
   const auto& since = report.plugged_since;
   if (static_cast<std::int64_t>(since.size()) != report.plugged) {
     return "plugged " + std::to_string(report.plugged) + ", plugged_since " + std::to_string(since.size());
@@ -43,7 +41,7 @@ std::string complaint_about_lists(const Report& report, int minute) {
 
 }  // namespace
 
-std::string complaint(const Report& report, int tick, int last, const ReportBounds& bounds) {
+std::string validate(const Report& report, int tick, int last, const ReportBounds& bounds) {
   if (report.tick != tick) {
     return "is of tick " + std::to_string(report.tick);
   }
@@ -57,12 +55,13 @@ std::string complaint(const Report& report, int tick, int last, const ReportBoun
   const std::int64_t installed = bounds.points[static_cast<std::size_t>(report.region)];
   const std::int64_t here = std::int64_t{report.vacant} + report.low_battery + report.plugged;
   const std::int64_t demand = std::int64_t{report.demand} + report.waiting;
-  for (std::string found :
-       {more("points", report.points, "installed", installed), more("plugged", report.plugged, "points", report.points),
-        more("completions", report.completions, "possible", installed * minutes),
-        more("demand and waiting", demand, "possible", most_passengers_a_minute * bounds.clock.minutes()),
-        complaint_about_lists(report, minute),
-        more("vehicles", here + vehicles_bound(report), "fleet", bounds.vehicles)}) {
+  for (std::string found : {validate_count("points", report.points, "installed", installed),
+                            validate_count("plugged", report.plugged, "points", report.points),
+                            validate_count("completions", report.completions, "possible", installed * minutes),
+                            validate_count("demand and waiting", demand, "possible",
+                                           std::int64_t{most_passengers_a_minute} * bounds.clock.minutes()),
+                            validate_lists(report, minute),
+                            validate_count("vehicles", here + vehicles_bound(report), "fleet", bounds.vehicles)}) {
     if (!found.empty()) {
       return found;
     }
@@ -82,7 +81,7 @@ CheckedReports check_reports(const std::vector<Report>& reports, int tick, int l
       continue;
     }
     const auto region = static_cast<std::size_t>(report.region);
-    std::string why_not = checked.good[region] ? "came twice" : complaint(report, tick, last, bounds);
+    std::string why_not = checked.good[region] ? "came twice" : validate(report, tick, last, bounds);
     if (why_not.empty()) {
       checked.good[region] = report;
     } else {

@@ -7,7 +7,13 @@
 #include <string>
 #include <vector>
 
+/// Decides which reports are garbage. One that cannot be true is rejected and an estimate stands in for it
+/// (FleetEstimate): sensors may lie, and the day goes on. What no sensor measures is checked in all messages by
+/// agents/protocol/message_check.hpp, and there garbage ends the run.
 namespace evbal {
+
+/// Passengers who appear in one region in a minute, at most; no city comes near.
+inline constexpr int most_passengers_a_minute = 1000;
 
 /// What bounds a report.
 struct ReportBounds {
@@ -18,10 +24,10 @@ struct ReportBounds {
 
 /// What is wrong with a report at the tick of a plan, in a few words; empty if nothing is. `region` of the report
 /// exists. What it counts may have been counted since `last`, the tick of the plan before (or 0).
-std::string complaint(const Report& report, int tick, int last, const ReportBounds& bounds);
+std::string validate(const Report& report, int tick, int last, const ReportBounds& bounds);
 
-/// The reports of a tick that hold, by region, and why the others do not, by region: of another tick or of no region of
-/// the city, given twice, missing, or with a complaint. Of two of a region the first holds.
+/// The reports of a tick that are believed, by region, and why the others are rejected, by region: they are missing, of
+/// no region of the city, the second of their region, or not valid.
 struct CheckedReports {
   std::vector<std::optional<Report>> good;
   std::vector<Rejection> rejected;

@@ -84,7 +84,7 @@ Command read_command(const YamlValue& value) {
 
 }  // namespace
 
-std::string name_complaint(const std::string& name) {
+std::string validate_controller_name(const std::string& name) {
   const auto fits = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_'; };
   constexpr std::size_t longest = 100;  // directories are named after it
   return !name.empty() && name.size() <= longest && std::ranges::all_of(name, fits)
@@ -96,8 +96,8 @@ std::string read_controller(const YamlValue& value, const Command& coordinator) 
   if (coordinator.empty()) {
     return controller_names()[value.one_of(controller_names())];
   }
-  if (const auto complaint = name_complaint(value.text()); !complaint.empty()) {
-    throw value.error(complaint);
+  if (const auto wrong = validate_controller_name(value.text()); !wrong.empty()) {
+    throw value.error(wrong);
   }
   return value.text();
 }

@@ -20,17 +20,14 @@ struct PlanningSettings {
   Command coordinator;  ///< program that plans in place of evbal-coordinator; empty: none
   EngineSettings engine;
   std::filesystem::path model;   ///< file that `evbal fit` wrote; empty: the one beside the city's pack
-  bool innovation_test = false;  ///< whether sets are widened where recent forecast errors leave them
+  bool innovation_test = false;  ///< whether sets are inflated where recent forecast errors leave them
   BalancingParameters balancing;
-
-  /// Whether the coordinator is to be told the future.
-  bool foresees() const { return controller == "oracle"; }
 };
 
 /// Reads the planning keys of a scenario: controller, coordinator, engine, iterations, model, innovation_test,
 /// balancing. All may be left out; `model: pack`, the default, is the file beside the city's pack, another path is
-/// relative to the scenario's file. `coordinator` stands in place of the scenario's. Throws Error{bad_input} with file,
-/// line and reason.
+/// relative to the scenario's file. If `coordinator` is given, the scenario's is not used. Throws Error{bad_input} with
+/// file, line and reason.
 PlanningSettings read_planning(YamlMap& scenario, const std::optional<Command>& coordinator = {});
 
 /// Reads the name of a controller: one of evbal's own or, with a coordinator in place of evbal's, whatever that one
@@ -38,7 +35,7 @@ PlanningSettings read_planning(YamlMap& scenario, const std::optional<Command>& 
 std::string read_controller(const YamlValue& value, const Command& coordinator);
 
 /// What is wrong with `name` for a controller of somebody else's, and what would be right; empty if nothing is.
-std::string name_complaint(const std::string& name);
+std::string validate_controller_name(const std::string& name);
 
 /// Writes the same keys, every one of them explicit: read_planning gives the same settings back.
 void write_planning(YamlWriter& yaml, const PlanningSettings& settings);

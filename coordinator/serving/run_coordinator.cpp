@@ -32,24 +32,23 @@ void plan(const std::vector<Controller>& own, const ProcessOptions& options, Par
   const World world = read_world(scenario);
   const PlanningSettings settings = read_planning(scenario);
   check_names(own, settings.controller);
-  RecedingHorizonPlanner coordinator(world.city, world.clock, world.day.date, settings,
-                                     read_model(model_file(settings, world.city)), balancer_of(settings, own));
-  if (settings.foresees()) {
+  RecedingHorizonPlanner planner(world.city, world.clock, world.day.date, settings,
+                                 read_model(model_file(settings, world.city)), balancer_of(settings, own));
+  if (foresees(settings.controller, own)) {
     const Eigen::VectorXi points = world.city.points();
     const Schedule schedule = read_resolved(scenario, {world.clock, {points.begin(), points.end()}});
-    coordinator.foresee(
-        demand_by_tick(world, [&](int tick) { return faults_at(schedule, world.clock, tick).effects; }));
+    planner.foresee(demand_by_tick(world, [&](int tick) { return faults_at(schedule, world.clock, tick).effects; }));
   }
   const MessageBounds bounds = bounds_of(world);
   const auto make_plan = [&](const Tick& tick, const std::vector<Report>& reports) {
     refuse_garbage(tick, bounds, "the conductor");
-    return coordinator.plan(tick, reports);
+    return planner.plan(tick, reports);
   };
-  const Planner planner = {.plan = make_plan,
-                           .memory = [&] { return coordinator.memory(); },
-                           .recall = [&](const Tick& tick, const auto& reports,
-                                         const auto& memory) { coordinator.recall(tick, reports, memory); }};
-  serve_coordinator(participant, options, planner);
+  const Planner served = {.plan = make_plan,
+                          .memory = [&] { return planner.memory(); },
+                          .recall = [&](const Tick& tick, const auto& reports,
+                                        const auto& memory) { planner.recall(tick, reports, memory); }};
+  serve_coordinator(participant, options, served);
 }
 
 }  // namespace

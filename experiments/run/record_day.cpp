@@ -18,16 +18,15 @@
 namespace evbal {
 namespace {
 
-std::shared_ptr<RecedingHorizonPlanner> coordinator_of(const Scenario& scenario) {
+std::shared_ptr<RecedingHorizonPlanner> planner_of(const Scenario& scenario) {
   const World& world = scenario.world;
-  auto coordinator =
-      std::make_shared<RecedingHorizonPlanner>(world.city, world.clock, world.day.date, scenario.planning,
-                                               read_model(model_file(scenario.planning, world.city)));
-  if (scenario.planning.foresees()) {
-    coordinator->foresee(
+  auto planner = std::make_shared<RecedingHorizonPlanner>(world.city, world.clock, world.day.date, scenario.planning,
+                                                          read_model(model_file(scenario.planning, world.city)));
+  if (foresees(scenario.planning.controller)) {
+    planner->foresee(
         demand_by_tick(world, [&](int tick) { return faults_at(scenario.schedule, world.clock, tick).effects; }));
   }
-  return coordinator;
+  return planner;
 }
 
 /// The coordinator's command with its program as it will be started. Throws Error{bad_input} if there is no such
@@ -56,8 +55,8 @@ std::unique_ptr<Players> players_of(const Scenario& scenario, const std::filesys
   }
   return std::make_unique<InprocPlayers>(
       scenario.world,
-      [coordinator = coordinator_of(scenario)](const Tick& tick, const std::vector<Report>& reports) {
-        return coordinator->plan(tick, reports);
+      [planner = planner_of(scenario)](const Tick& tick, const std::vector<Report>& reports) {
+        return planner->plan(tick, reports);
       },
       [&scenario](int tick) { return faults_at(scenario.schedule, scenario.world.clock, tick); },
       scenario.regions_per_process);
@@ -147,7 +146,7 @@ Scenario without_faults(Scenario scenario) {
 
 void check_planning(const Scenario& scenario) {
   if (startable(scenario.planning.coordinator).empty()) {
-    coordinator_of(scenario);
+    planner_of(scenario);
   }
 }
 

@@ -77,8 +77,8 @@ std::string own_or_known(const std::string& option, const std::string& name, con
   if (coordinator.empty()) {
     return known_word(option, name, controller_names());
   }
-  if (const auto complaint = name_complaint(name); !complaint.empty()) {
-    throw bad_input(option + ": " + complaint);
+  if (const auto wrong = validate_controller_name(name); !wrong.empty()) {
+    throw bad_input(option + ": " + wrong);
   }
   return name;
 }

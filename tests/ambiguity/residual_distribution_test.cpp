@@ -41,7 +41,7 @@ TEST(Inflation, MultipliesStandardDeviationsInAllSteps) {
       fit_residual_distribution(normals(4, 300, 7), 2, {0, 1}, {.resample = 50, .replicates = 20});
   MomentSet set = moment_set(errors, Eigen::MatrixXd::Ones(2, 2), Eigen::MatrixXd::Ones(2, 2));
   const Eigen::VectorXd before = set.standard_deviation();
-  widen(set, Eigen::Vector2d(1.0, 3.0));
+  inflate(set, Eigen::Vector2d(1.0, 3.0));
   EXPECT_TRUE(set.standard_deviation().isApprox(before.cwiseProduct(Eigen::Vector4d(1.0, 3.0, 1.0, 3.0))));
 }
 

@@ -11,7 +11,8 @@ namespace {
 CityModel flat_model(const World& world) {
   const Eigen::Index n = world.city.size();
   CityModel model;
-  model.day_start = world.clock.start;
+  model.city = world.city.name;
+  model.day_start = world.city.day_start;
   model.mean_session_minutes = 30.0;
   for (SeriesModel* series : {&model.demand, &model.completions}) {
     series->seasonal.mean.fill(Eigen::MatrixXd::Constant(n, world.clock.steps(), 5.0));

@@ -32,16 +32,11 @@ std::vector<CountDay> days_with_levels(int count, int regions, std::uint64_t see
 }
 
 SeasonalModel plain_model(const Eigen::MatrixXd& mean) {
-  return {30, {mean, mean, mean}, {}, std::vector<ArimaModel>(static_cast<std::size_t>(mean.rows()))};
+  return {30, {mean, mean, mean}, {}, std::vector<ArmaModel>(static_cast<std::size_t>(mean.rows()))};
 }
 
-ArimaModel autoregression(double ar) {
-  return {.order = {.p = 1},
-          .ar = Eigen::VectorXd::Constant(1, ar),
-          .ma = {},
-          .seasonal_ar = {},
-          .seasonal_ma = {},
-          .variance = 1.0};
+ArmaModel autoregression(double ar) {
+  return {.ar = Eigen::VectorXd::Constant(1, ar), .ma = {}, .variance = 1.0};
 }
 
 TEST(DayKind, FollowsTheCalendar) {
@@ -149,11 +144,11 @@ TEST(SeasonalForecaster, SaysHowFarTheLastStepsWereOff) {
       << "an hour and a half later it is forgotten";
 }
 
-TEST(DailySurprise, IsExceededOnceADay) {
+TEST(DailyAlarm, IsExceededOnceADay) {
   std::vector<HeldOutDay> days(2);
   days[0].normalised_innovation = Eigen::Vector3d(5.0, 1.0, 9.0);
   days[1].normalised_innovation = Eigen::Vector3d(2.0, 4.0, 3.0);
-  EXPECT_EQ(daily_surprise(days), 4.0);
+  EXPECT_EQ(daily_alarm(days), 4.0);
 }
 
 TEST(FitSeasonal, LearnsThatALevelStays) {
@@ -178,7 +173,7 @@ TEST(FitSeasonal, FallsBackToTheMeanWhereCountsAreFew) {
   }
   const SeasonalOrders orders = choose_orders(days);
   EXPECT_EQ(orders.thin, std::vector<int>{0});
-  EXPECT_EQ(orders.region[0], ArimaOrder{});
+  EXPECT_EQ(orders.region[0], ArmaOrder{});
   const SeasonalModel model = fit_seasonal(days, 30, orders);
   EXPECT_TRUE(SeasonalForecaster(model, DayKind::weekday).forecast(0, 2).row(0).isZero());
 }

@@ -55,7 +55,7 @@ TEST_F(ModelFile, GivesBackEveryBit) {
   const CityModel back = read_model(file_);
   EXPECT_EQ(back.demand.seasonal.mean, model.demand.seasonal.mean);
   EXPECT_EQ(back.demand.seasonal.region[2].ma, model.demand.seasonal.region[2].ma);
-  EXPECT_EQ(back.demand.seasonal.city.order, model.demand.seasonal.city.order);
+  EXPECT_EQ(back.demand.seasonal.city.ar, model.demand.seasonal.city.ar);
   EXPECT_EQ(back.demand.errors.covariance.deviation, model.demand.errors.covariance.deviation);
   EXPECT_EQ(back.completions.errors.covariance.factors.cols(), 0);
   EXPECT_EQ(back.completions.errors.alarm, model.completions.errors.alarm);
@@ -79,6 +79,30 @@ TEST_F(ModelFile, RefusesWhatDoesNotFit) {
   expect_refused(replaced(good, "4.0", "\"4\""), "number");
   expect_refused(replaced(good, "\"vacant_to_vacant\":[[0.5", "\"vacant_to_vacant\":[[0.4"), "sum to one");
   expect_refused("[]", "object");
+}
+
+// Numbers that no city has would make problems that no solver can scale.
+TEST_F(ModelFile, RefusesAbsurdNumbers) {
+  const auto expect_refused_model = [&](const char* key, const auto& spoil) {
+    CityModel model = testing::small_model();
+    spoil(model);
+    expect_refused(written(model), key);
+  };
+  expect_refused_model("completions.deviation",
+                       [](CityModel& m) { m.completions.errors.covariance.deviation(4) = 1e8; });
+  expect_refused_model("demand.deviation", [](CityModel& m) { m.demand.errors.covariance.deviation(0) = 2e3; });
+  expect_refused_model("demand.factors", [](CityModel& m) { m.demand.errors.covariance.factors(1, 0) = -1e8; });
+  expect_refused_model("demand.factors", [](CityModel& m) { m.demand.errors.covariance.factors.setOnes(6, 7); });
+  expect_refused_model("demand.g1", [](CityModel& m) { m.demand.errors.thresholds[1].g1 = 1e8; });
+  expect_refused_model("completions.g2", [](CityModel& m) { m.completions.errors.thresholds[0].g2 = 1e8; });
+  expect_refused_model("demand.alarm", [](CityModel& m) { m.demand.errors.alarm = 1e8; });
+  expect_refused_model("demand.mean.sunday", [](CityModel& m) { m.demand.seasonal.mean[2](2, 3) = 30001.0; });
+  expect_refused_model("demand.city.variance", [](CityModel& m) { m.demand.seasonal.city.variance = 1e8; });
+  expect_refused_model("demand.region[1].ma", [](CityModel& m) { m.demand.seasonal.region[1].ma(0) = 1.5; });
+  expect_refused_model("day_start", [](CityModel& m) { m.day_start = 5 * 60 + 1; });
+  expect_refused_model("holidays", [](CityModel& m) { m.holidays = {"2008-02-30"}; });
+  expect_refused_model("turnover.same_step_dropoffs",
+                       [](CityModel& m) { m.turnover.same_step_dropoffs.setConstant(0.34); });
 }
 
 TEST_F(ModelFile, RefusesWhatIsNotThere) {

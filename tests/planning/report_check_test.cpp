@@ -26,29 +26,29 @@ Report sound() {
 }
 
 TEST(ReportCheck, BelievesWhatCanBe) {
-  EXPECT_EQ(complaint(sound(), 6, 4, bounds), "");
+  EXPECT_EQ(validate(sound(), 6, 4, bounds), "");
 }
 
 TEST(ReportCheck, SaysWhatCannotBe) {
-  const auto expect_complaint = [](const std::string& expected, const std::function<void(Report&)>& spoil) {
+  const auto expect_invalid = [](const std::string& expected, const std::function<void(Report&)>& spoil) {
     Report report = sound();
     spoil(report);
-    EXPECT_EQ(complaint(report, 6, 4, bounds), expected);
+    EXPECT_EQ(validate(report, 6, 4, bounds), expected);
   };
-  expect_complaint("is of tick 4", [](Report& r) { r.tick = 4; });
-  expect_complaint("waiting -1", [](Report& r) { r.waiting = -1; });
-  expect_complaint("points 5, installed 4", [](Report& r) { r.points = 5; });
-  expect_complaint("plugged 2, points 1", [](Report& r) { r.points = 1; });
-  expect_complaint("vehicles 21, fleet 20", [](Report& r) { r.vacant = 12; });
-  expect_complaint("vehicles 6442450944, fleet 20",
-                   [](Report& r) { r.vacant = r.low_battery = r.bound[0].count = 2147483647; });
-  expect_complaint("completions 41, possible 40", [](Report& r) { r.completions = 41; });
-  expect_complaint("demand and waiting 2147483647, possible 1140000", [](Report& r) { r.demand = 2147483647; });
-  expect_complaint("plugged 3, plugged_since 2", [](Report& r) { r.plugged = 3; });
-  expect_complaint("plugged_since is not in order or not of the day", [](Report& r) { r.plugged_since[1] = 31; });
-  expect_complaint("bound has cars to elsewhere, none, or of the past", [](Report& r) { r.bound[0].region = 1; });
-  expect_complaint("bound has cars to elsewhere, none, or of the past", [](Report& r) { r.bound[0].count = 0; });
-  expect_complaint("bound has cars to elsewhere, none, or of the past", [](Report& r) { r.bound[1].minute = 29; });
+  expect_invalid("is of tick 4", [](Report& r) { r.tick = 4; });
+  expect_invalid("waiting -1", [](Report& r) { r.waiting = -1; });
+  expect_invalid("points 5, installed 4", [](Report& r) { r.points = 5; });
+  expect_invalid("plugged 2, points 1", [](Report& r) { r.points = 1; });
+  expect_invalid("vehicles 21, fleet 20", [](Report& r) { r.vacant = 12; });
+  expect_invalid("vehicles 6442450944, fleet 20",
+                 [](Report& r) { r.vacant = r.low_battery = r.bound[0].count = 2147483647; });
+  expect_invalid("completions 41, possible 40", [](Report& r) { r.completions = 41; });
+  expect_invalid("demand and waiting 2147483647, possible 1140000", [](Report& r) { r.demand = 2147483647; });
+  expect_invalid("plugged 3, plugged_since 2", [](Report& r) { r.plugged = 3; });
+  expect_invalid("plugged_since is not in order or not of the day", [](Report& r) { r.plugged_since[1] = 31; });
+  expect_invalid("bound has cars to elsewhere, none, or of the past", [](Report& r) { r.bound[0].region = 1; });
+  expect_invalid("bound has cars to elsewhere, none, or of the past", [](Report& r) { r.bound[0].count = 0; });
+  expect_invalid("bound has cars to elsewhere, none, or of the past", [](Report& r) { r.bound[1].minute = 29; });
 }
 
 TEST(ReportCheck, BelievesTheFirstOfTwo) {
@@ -111,7 +111,7 @@ RC_GTEST_PROP(ReportCheck, BelievesPlants, ()) {
       announced.effects = faults[tick].effects;
       plant.begin(announced);
       if (world.clock.plan_due(tick)) {
-        RC_ASSERT(complaint(plant.report(), tick, last, real) == "");
+        RC_ASSERT(validate(plant.report(), tick, last, real) == "");
       }
       plant.live(nullptr);
     }

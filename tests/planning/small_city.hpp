@@ -21,12 +21,8 @@ inline City small_city() {
 inline SeriesModel flat_series(double mean, int leads) {
   SeriesModel series;
   series.seasonal.mean.fill(Eigen::MatrixXd::Constant(3, 38, mean));
-  const ArimaModel arma{.order = {.p = 1, .q = 1},
-                        .ar = Eigen::VectorXd::Constant(1, 0.8),
-                        .ma = Eigen::VectorXd::Constant(1, -1.0 / 3.0),
-                        .seasonal_ar = {},
-                        .seasonal_ma = {},
-                        .variance = 1.0};
+  const ArmaModel arma{
+      .ar = Eigen::VectorXd::Constant(1, 0.8), .ma = Eigen::VectorXd::Constant(1, -1.0 / 3.0), .variance = 1.0};
   series.seasonal.city = arma;
   series.seasonal.region.assign(3, arma);
   series.errors.covariance.deviation = Eigen::VectorXd::LinSpaced(3 * leads, 0.5, 1.5);

@@ -33,23 +33,23 @@ Reasons reasons(const Plan& plan) {
 }
 
 TEST(RecedingHorizonPlanner, SaysWhichReportsItDoesNotBelieve) {
-  RecedingHorizonPlanner coordinator(testing::small_city(), {}, date, {}, testing::small_model(), Spy{});
-  EXPECT_EQ(reasons(coordinator.plan(at(0), quiet_reports(0, 5))), Reasons{});
+  RecedingHorizonPlanner planner(testing::small_city(), {}, date, {}, testing::small_model(), Spy{});
+  EXPECT_EQ(reasons(planner.plan(at(0), quiet_reports(0, 5))), Reasons{});
   auto reports = quiet_reports(2, 5);
   reports.pop_back();
   reports[0].vacant = -3;
-  EXPECT_EQ(reasons(coordinator.plan(at(2), reports)), (Reasons{{0, "vacant -3"}, {2, "is missing"}}));
+  EXPECT_EQ(reasons(planner.plan(at(2), reports)), (Reasons{{0, "vacant -3"}, {2, "is missing"}}));
   reports = quiet_reports(4, 5);
   reports[2].region = 7;
   reports[1].tick = 2;
-  EXPECT_EQ(reasons(coordinator.plan(at(4), reports)),
+  EXPECT_EQ(reasons(planner.plan(at(4), reports)),
             (Reasons{{1, "is of tick 2"}, {2, "is missing"}, {7, "is no region of this city"}}));
 }
 
 TEST(RecedingHorizonPlanner, EstimatesWhatItDoesNotBelieve) {
   const Spy spy;
-  RecedingHorizonPlanner coordinator(testing::small_city(), {}, date, {}, testing::small_model(), spy);
-  coordinator.plan(at(0), quiet_reports(0, 12));
+  RecedingHorizonPlanner planner(testing::small_city(), {}, date, {}, testing::small_model(), spy);
+  planner.plan(at(0), quiet_reports(0, 12));
   const double usual_deviation = spy.seen->demand.deviation(1);
   double deviation = usual_deviation;
   for (int tick = 2; tick <= 6; tick += 2) {
@@ -57,7 +57,7 @@ TEST(RecedingHorizonPlanner, EstimatesWhatItDoesNotBelieve) {
     reports[0].demand = reports[2].demand = tick == 2 ? 2 : 1;
     reports[1].vacant = 1 << 30;
     reports[1].demand = 1 << 30;
-    coordinator.plan(at(tick), reports);
+    planner.plan(at(tick), reports);
     EXPECT_LT(spy.seen->state.vacant(1), 12.0) << "some have left with passengers";
     EXPECT_GT(spy.seen->state.vacant(1), 4.0);
     EXPECT_EQ(spy.seen->state.vacant(0), 12.0);
@@ -65,7 +65,7 @@ TEST(RecedingHorizonPlanner, EstimatesWhatItDoesNotBelieve) {
     EXPECT_NEAR(spy.seen->demand.mean(1), 4.0, 1.0);
     deviation = spy.seen->demand.deviation(1);
   }
-  coordinator.plan(at(8), quiet_reports(8, 12));
+  planner.plan(at(8), quiet_reports(8, 12));
   EXPECT_EQ(spy.seen->state.vacant(1), 12.0);
   EXPECT_EQ(spy.seen->demand.deviation(1), usual_deviation);
 }
@@ -73,7 +73,7 @@ TEST(RecedingHorizonPlanner, EstimatesWhatItDoesNotBelieve) {
 TEST(RecedingHorizonPlanner, LearnsNothingFromReportsItDoesNotBelieve) {
   const Spy spy;
   const CityModel model = testing::small_model();
-  RecedingHorizonPlanner coordinator(testing::small_city(), {}, date, {}, model, spy);
+  RecedingHorizonPlanner planner(testing::small_city(), {}, date, {}, model, spy);
   SeasonalForecaster demand(model.demand.seasonal, DayKind::weekday);
   SeasonalForecaster completions(model.completions.seasonal, DayKind::weekday);
   const double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -83,7 +83,7 @@ TEST(RecedingHorizonPlanner, LearnsNothingFromReportsItDoesNotBelieve) {
     reports[2].demand = tick == 0 ? 0 : 3;
     reports[1].vacant = -1;
     reports[1].demand = reports[1].completions = 1;
-    coordinator.plan(at(tick), reports);
+    planner.plan(at(tick), reports);
     const int minute = 5 * tick;
     demand.observe(minute, Eigen::Vector3d(5.0, unknown, 3.0));
     completions.observe(minute, Eigen::Vector3d(0.0, unknown, 0.0));

@@ -65,7 +65,7 @@ std::vector<int> regions_with_points(const City& city) {
   return regions;
 }
 
-/// Mean of the law with these quantiles at equally spaced probabilities, linear in between.
+/// Mean of the distribution with these quantiles at equally spaced probabilities, linear in between.
 double mean_of_quantiles(const std::vector<double>& quantiles) {
   double sum = 0.0;
   for (std::size_t q = 1; q < quantiles.size(); ++q) {

@@ -41,13 +41,13 @@ void print_skill(const char* series, const char* days, const std::vector<HeldOut
 }
 
 void print_region(const SeriesFit& fit, std::size_t region) {
-  const ArimaOrder& order = fit.orders.region[region];
+  const ArmaOrder& order = fit.orders.region[region];
   const auto i = static_cast<int>(region);
   const bool thin = std::find(fit.orders.thin.begin(), fit.orders.thin.end(), i) != fit.orders.thin.end();
   if (thin) {
     std::printf("   %-8s", "mean");
   } else {
-    std::printf("   (%d,0,%d) ", order.p, order.q);
+    std::printf("   (%d,%d) ", order.p, order.q);
   }
   for (const auto* days : {&fit.training, &fit.test}) {
     if (thin || days->empty()) {
@@ -70,7 +70,7 @@ void print_skills(const City& city, const CityFit& fit) {
     print_skill(name, "test", of->test);
   }
   for (const auto& [name, of] : series) {
-    std::printf("%s of the city: order (%d,0,%d); %zu regions are too thin and keep their seasonal mean\n", name,
+    std::printf("%s of the city: order (%d,%d); %zu regions are too thin and keep their seasonal mean\n", name,
                 of->orders.city.p, of->orders.city.q, of->orders.thin.size());
   }
   std::printf(
@@ -142,7 +142,7 @@ void print_turnover(const CityFit& fit) {
     std::printf("variance of demand around its forecast m, step %d: %.3f m + %.4f m^2\n", lead + 1,
                 turnover.demand.linear[k], turnover.demand.quadratic[k]);
   }
-  std::printf("its probability integral transform, %% in each tenth (10 if the law is right)\n");
+  std::printf("its probability integral transform, %% in each tenth (10 if the distribution is right)\n");
   const std::array<std::pair<const char*, const std::vector<HeldOutDay>*>, 2> both{
       {{"training", &fit.demand.training}, {"test", &fit.demand.test}}};
   for (const auto& [name, days] : both) {

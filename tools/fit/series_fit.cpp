@@ -18,7 +18,7 @@ void round(Eigen::Ref<Eigen::MatrixXd> matrix) {
   matrix = matrix.unaryExpr([](double value) { return rounded(value); }).eval();
 }
 
-void round(ArimaModel& arma) {
+void round(ArmaModel& arma) {
   round(arma.ar);
   round(arma.ma);
   arma.variance = rounded(arma.variance);
@@ -29,7 +29,7 @@ void round(SeriesModel& model) {
     round(mean);
   }
   round(model.seasonal.city);
-  for (ArimaModel& region : model.seasonal.region) {
+  for (ArmaModel& region : model.seasonal.region) {
     round(region);
   }
   round(model.errors.covariance.deviation);
@@ -81,7 +81,7 @@ SeriesFit fit_series(const SeriesDays& days, int step_minutes, int leads, const 
   fit.training = leave_one_day_out(days.training, step_minutes, fit.orders, leads);
   fit.model.seasonal = fit_seasonal(days.training, step_minutes, fit.orders);
   fit.model.errors = fit_residual_distribution(residuals_of(fit.training), leads, regions, {});
-  fit.model.errors.alarm = daily_surprise(fit.training);
+  fit.model.errors.alarm = daily_alarm(fit.training);
   round(fit.model);
   const SeasonalMeans rival = seasonal_means(days.training);
   for (const CountDay& day : days.test) {

@@ -111,9 +111,9 @@ std::size_t period_at(const std::vector<int>& starts, int minute) {
 
 TrainingDay play_training_day(const World& world, const CityModel& model, const PlanningSettings& settings,
                               const std::vector<int>& period_starts) {
-  RecedingHorizonPlanner coordinator(world.city, world.clock, world.day.date, settings, model);
+  RecedingHorizonPlanner planner(world.city, world.clock, world.day.date, settings, model);
   InprocPlayers players(
-      world, [&](const Tick& tick, const auto& reports) { return coordinator.plan(tick, reports); },
+      world, [&](const Tick& tick, const auto& reports) { return planner.plan(tick, reports); },
       [](int tick) { return Faults{.tick = tick, .effects = {}, .origin = {}}; });
   Follower follower(world, period_starts, players.plants());
   TrainingDay day{Eigen::MatrixXd::Zero(world.city.size(), world.clock.steps()), {}, 0, 0, 0.0};

@@ -14,7 +14,7 @@ namespace evbal {
 Eigen::MatrixXd same_step_dropoffs(const City& city, const std::vector<DemandDay>& days, int step);
 
 /// Probability integral transform of counts under negative binomials around their forecasts, for each lead in ten bins,
-/// 10 x leads: 0.1 each if the law is right (Czado, Gneiting and Held 2009, which smooths out that counts are
+/// 10 x leads: 0.1 each if that distribution is right (Czado, Gneiting and Held 2009, which smooths out that counts are
 /// whole).
 Eigen::MatrixXd integral_transform(const std::vector<HeldOutDay>& days, const CountVariance& variance, int leads);
 

@@ -1,5 +1,5 @@
 #include "common/contract.hpp"
-#include "coordinator/forecast/arima.hpp"
+#include "coordinator/forecast/arma.hpp"
 
 #include <nlopt.h>
 
@@ -23,21 +23,14 @@ Eigen::VectorXd coefficients(const Eigen::Ref<const Eigen::VectorXd>& x) {
   return phi;
 }
 
-ArimaModel model_at(const ArimaOrder& order, const Eigen::VectorXd& x) {
-  const int p = order.p;
-  const int q = order.q;
-  return {.order = order,
-          .ar = coefficients(x.head(p)),
-          .ma = -coefficients(x.segment(p, q)),
-          .seasonal_ar = coefficients(x.segment(p + q, order.P)),
-          .seasonal_ma = -coefficients(x.tail(order.Q)),
-          .variance = 1.0};
+ArmaModel model_at(const ArmaOrder& order, const Eigen::VectorXd& x) {
+  return {.ar = coefficients(x.head(order.p)), .ma = -coefficients(x.tail(order.q)), .variance = 1.0};
 }
 
-/// The likelihood at x, the variance of e at its own maximum.
-ArimaFit likelihood(const std::vector<Eigen::VectorXd>& stretches, const ArimaOrder& order, const Eigen::VectorXd& x) {
-  ArimaFit fit{.model = model_at(order, x)};
-  ArimaFilter filter(fit.model);
+/// The model of the coefficients at x with the variance of e that is most likely, and its likelihood.
+ArmaFit likelihood(const std::vector<Eigen::VectorXd>& stretches, const ArmaOrder& order, const Eigen::VectorXd& x) {
+  ArmaFit fit{.model = model_at(order, x)};
+  ArmaFilter filter(fit.model);
   for (const Eigen::VectorXd& stretch : stretches) {
     filter.start();
     for (const double y : stretch) {
@@ -54,10 +47,10 @@ ArimaFit likelihood(const std::vector<Eigen::VectorXd>& stretches, const ArimaOr
 
 struct Objective {
   const std::vector<Eigen::VectorXd>& stretches;
-  const ArimaOrder& order;
+  const ArmaOrder& order;
 
   double operator()(const Eigen::VectorXd& x) const {
-    const ArimaFit fit = likelihood(stretches, order, x);
+    const ArmaFit fit = likelihood(stretches, order, x);
     return -fit.log_likelihood / fit.observations;
   }
 };
@@ -82,13 +75,13 @@ double evaluate(unsigned size, const double* at, double* gradient, void* data) {
 
 }  // namespace
 
-double ArimaFit::aicc() const {
+double ArmaFit::aicc() const {
   const double n = observations;
-  const double k = model.order.coefficients() + 1;
+  const double k = model.order().coefficients() + 1;
   return -2.0 * log_likelihood + 2.0 * k * n / (n - k - 1.0);
 }
 
-ArimaFit fit_arima(const std::vector<Eigen::VectorXd>& stretches, const ArimaOrder& order) {
+ArmaFit fit_arma(const std::vector<Eigen::VectorXd>& stretches, const ArmaOrder& order) {
   constexpr double farthest = 6.0;  // tanh(6) = 1 - 1e-5
   constexpr int most_evaluations = 200;
   Eigen::VectorXd x(order.coefficients());
@@ -109,12 +102,12 @@ ArimaFit fit_arima(const std::vector<Eigen::VectorXd>& stretches, const ArimaOrd
   return likelihood(stretches, order, x);
 }
 
-ArimaFit choose_arima(const std::vector<Eigen::VectorXd>& stretches, const std::vector<ArimaOrder>& orders) {
+ArmaFit choose_arma(const std::vector<Eigen::VectorXd>& stretches, const std::vector<ArmaOrder>& orders) {
   EVBAL_EXPECT(!orders.empty(), "at least one order");
-  ArimaFit best;
+  ArmaFit best;
   double least = std::numeric_limits<double>::infinity();
-  for (const ArimaOrder& order : orders) {
-    const ArimaFit fit = fit_arima(stretches, order);
+  for (const ArmaOrder& order : orders) {
+    const ArmaFit fit = fit_arma(stretches, order);
     if (fit.aicc() < least) {
       least = fit.aicc();
       best = fit;
