@@ -1,9 +1,12 @@
 #include "common/digest.hpp"
 
+#include "common/error.hpp"
+
 #include <xxhash.h>
 
 #include <array>
 #include <cstdio>
+#include <fstream>
 
 namespace evbal {
 
@@ -29,6 +32,26 @@ std::string Digest::hex() const {
     text += digits.data();
   }
   return text;
+}
+
+std::string text_digest(const std::string& text) {
+  Digest digest;
+  digest.update(text.data(), text.size());
+  return digest.hex();
+}
+
+std::string file_digest(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  Digest digest;
+  std::array<char, 65536> part{};
+  while (in) {
+    in.read(part.data(), part.size());
+    digest.update(part.data(), static_cast<std::size_t>(in.gcount()));
+  }
+  if (!in.eof()) {
+    throw bad_input(file.string(), 0, "cannot be read");
+  }
+  return digest.hex();
 }
 
 }  // namespace evbal

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -24,5 +25,11 @@ class Digest {
   };
   std::unique_ptr<XXH3_state_s, Free> state_;
 };
+
+/// Fingerprint of a text.
+std::string text_digest(const std::string& text);
+
+/// Fingerprint of a file's content. Throws Error{bad_input} if it cannot be read.
+std::string file_digest(const std::filesystem::path& file);
 
 }  // namespace evbal

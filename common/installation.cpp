@@ -49,4 +49,9 @@ fs::path shipped_folder(const std::string& name) {
   return {};
 }
 
+fs::path find_shipped(const std::string& name, const fs::path& given) {
+  const fs::path shipped = shipped_folder(name) / given;
+  return !given.has_parent_path() && !fs::exists(given) && fs::exists(shipped) ? shipped : given;
+}
+
 }  // namespace evbal

@@ -12,8 +12,12 @@ std::filesystem::path own_folder();
 /// that may be executed; folders that cannot be read are passed over.
 std::filesystem::path find_program(const std::string& name);
 
-/// What is shipped with the programs, "cities", "faults" or "scenarios": the folder share/evbal/NAME that stands
-/// nearest above this program, in an installation as in a build tree; empty if there is none.
+/// What is shipped with the programs, "cities", "faults", "scenarios" or "studies": the folder share/evbal/NAME that
+/// stands nearest above this program, in an installation as in a build tree; empty if there is none.
 std::filesystem::path shipped_folder(const std::string& name);
+
+/// The file that a command line names: a path, or without a folder and where there is no such file, the name of one
+/// that is shipped in the folder NAME.
+std::filesystem::path find_shipped(const std::string& name, const std::filesystem::path& given);
 
 }  // namespace evbal

@@ -1,10 +1,10 @@
 #include "experiments/record/compare.hpp"
 
+#include "common/digest.hpp"
 #include "common/files.hpp"
 #include "common/plain_text.hpp"
 #include "common/table_text.hpp"
 #include "experiments/record/compare_days.hpp"
-#include "experiments/record/summary.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -64,7 +64,8 @@ Difference compare_csv(const fs::path& recorded, const fs::path& replayed, const
 
 /// Drops what depends on how the run was made, or on another run.
 void forget_circumstances(Json& summary) {
-  for (const char* key : {"processes", "network", "step_seconds", "wall_seconds", "without_faults"}) {
+  for (const char* key : {"processes", "network", "step_seconds", "wall_seconds", "without_faults", "program",
+                          "pack_digest", "model_digest"}) {
     summary.erase(key);
   }
   if (summary.contains("solver") && summary["solver"].is_object()) {

@@ -3,6 +3,7 @@
 #include "common/digest.hpp"
 #include "experiments/metrics/metrics.hpp"
 #include "experiments/record/day_file.hpp"
+#include "experiments/scenario/input_digests.hpp"
 #include "experiments/scenario/network_conditions.hpp"
 
 #include <chrono>
@@ -18,6 +19,7 @@ namespace evbal {
 struct RunHeader {
   std::string scenario;  ///< its name
   std::string resolved;  ///< scenario.resolved.yaml as text
+  InputDigests inputs{};
   std::string date;
   std::uint64_t seed = 0;
   std::string controller;

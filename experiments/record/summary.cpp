@@ -1,5 +1,8 @@
 #include "experiments/record/summary.hpp"
 
+#include "common/digest.hpp"
+#include "common/version.hpp"
+
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
@@ -133,6 +136,9 @@ std::string summary_json(const RunHeader& header, const DayMetrics& day, const s
                {"transport", header.transport},
                {"digest", digest},
                {"scenario_digest", text_digest(header.resolved)},
+               {"pack_digest", header.inputs.pack},
+               {"model_digest", header.inputs.model},
+               {"program", this_program()},
                {"day_start", time_of_day(header.frame.clock, 0)},
                {"steps", day.steps.size()},
                {"step_minutes", header.frame.clock.step},
@@ -154,12 +160,6 @@ int count_fallbacks(std::span<const TickRecord> ticks) {
   return static_cast<int>(std::count_if(ticks.begin(), ticks.end(), [](const TickRecord& record) {
     return record.exchange.plan && record.exchange.plan->provenance.fallback != FallbackLevel::none;
   }));
-}
-
-std::string text_digest(const std::string& text) {
-  Digest digest;
-  digest.update(text.data(), text.size());
-  return digest.hex();
 }
 
 }  // namespace evbal

@@ -11,6 +11,7 @@ namespace evbal {
 /// summary.json of a finished run, as text:
 ///
 ///     scenario, date, seed, controller, transport, digest, scenario_digest (of scenario.resolved.yaml)
+///     pack_digest, model_digest (of the files that the day was played with), program (version and build)
 ///     steps, step_minutes, regions, fleet, fleet_conserved
 ///     totals       by the names of metrics/columns.hpp
 ///     solver       engine, solves, fallbacks, iterations, max_violation, max_gap, seconds in all,
@@ -22,15 +23,12 @@ namespace evbal {
 ///     network      loss, delay_ms, deterministic_in_time, exchange_seconds (of a tick, without the solver); only
 ///                  if the scenario has the key
 ///
-/// `transport`, `processes`, `network` and what is measured in seconds depend on how the day was run, nothing else
-/// does.
+/// `program`, `transport`, `processes`, `network` and what is measured in seconds depend on how the day was run,
+/// nothing else does.
 std::string summary_json(const RunHeader& header, const DayMetrics& day, const std::string& digest,
                          std::span<const TickRecord> ticks, std::span<const double> tick_seconds, double wall_seconds);
 
 /// Plans that were not the controller's own.
 int count_fallbacks(std::span<const TickRecord> ticks);
-
-/// Fingerprint of a file's text.
-std::string text_digest(const std::string& text);
 
 }  // namespace evbal

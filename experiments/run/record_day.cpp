@@ -9,9 +9,9 @@
 #include "experiments/conductor/dds_players.hpp"
 #include "experiments/conductor/inproc_players.hpp"
 #include "experiments/conductor/run_day.hpp"
-#include "experiments/progress/progress.hpp"
 #include "experiments/record/row.hpp"
 #include "experiments/record/summary.hpp"
+#include "experiments/scenario/input_digests.hpp"
 
 #include <memory>
 
@@ -74,6 +74,7 @@ RunHeader header_of(const Scenario& scenario, const std::string& resolved) {
   RunHeader header;
   header.scenario = scenario.name;
   header.resolved = resolved;
+  header.inputs = input_digests(scenario);
   header.date = world.day.date;
   header.seed = world.seed;
   header.controller = scenario.planning.controller;
@@ -91,23 +92,16 @@ RunHeader header_of(const Scenario& scenario, const std::string& resolved) {
   return header;
 }
 
-std::vector<std::string> fault_names(const Schedule& schedule) {
-  std::vector<std::string> names;
-  for (const auto& fault : schedule.faults) {
-    names.push_back(fault.name);
-  }
-  return names;
-}
-
-RunResult play(const Scenario& scenario, const std::string& resolved, const std::filesystem::path& folder,
-               const Stage& stage) {
+RunResult play_and_record(const Scenario& scenario, const std::string& resolved, const std::filesystem::path& folder,
+                          const Stage& stage) {
   RunRecord record(folder, header_of(scenario, resolved));
   const auto players = players_of(scenario, folder, stage.transport);
-  Progress progress(scenario.planning.controller, scenario.world.clock, fault_names(scenario.schedule), stage.quiet);
   try {
     run_day(scenario.world, *players, [&](const TickRecord& tick) {
       record.add(tick);
-      progress.show(tick);
+      if (stage.on_tick) {
+        stage.on_tick(tick);
+      }
       check_interrupt();
     });
   } catch (const Error& error) {
@@ -117,7 +111,7 @@ RunResult play(const Scenario& scenario, const std::string& resolved, const std:
   return record.finish();
 }
 
-DayResult keep(const Scenario& scenario, Players& players) {
+DayResult play_without_record(const Scenario& scenario, Players& players) {
   std::vector<TickRecord> ticks;
   run_day(scenario.world, players, [&](const TickRecord& tick) { ticks.push_back(tick); });
   return {
@@ -153,7 +147,7 @@ void check_planning(const Scenario& scenario) {
 RunResult record_day(const Scenario& scenario, const std::string& resolved, const std::filesystem::path& folder,
                      const Stage& stage) {
   try {
-    return play(scenario, resolved, folder, stage);
+    return play_and_record(scenario, resolved, folder, stage);
   } catch (const Error& error) {
     if (scenario.planning.coordinator.empty()) {
       throw;
@@ -164,13 +158,13 @@ RunResult record_day(const Scenario& scenario, const std::string& resolved, cons
 }
 
 DayResult play_day(const Scenario& scenario) {
-  return keep(scenario, *players_of(scenario, {}, "inproc"));
+  return play_without_record(scenario, *players_of(scenario, {}, "inproc"));
 }
 
 DayResult play_day(const Scenario& scenario, const std::filesystem::path& folder) {
   const EmptyFolder own(folder);
   write_file(folder / "scenario.resolved.yaml", resolved_yaml(scenario, scenario.planning.controller));
-  return keep(scenario, *players_of(scenario, folder, scenario.transport));
+  return play_without_record(scenario, *players_of(scenario, folder, scenario.transport));
 }
 
 }  // namespace evbal

@@ -1,6 +1,7 @@
 #include "experiments/run/run_folder.hpp"
 
 #include "common/error.hpp"
+#include "common/files.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -16,6 +17,9 @@ namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
 constexpr auto patience = 2s;  // a killed launcher's worker holds the directory until it has been killed, too
+
+/// How the mark of draws that are not all played begins; their fingerprint follows.
+const std::string draws_mark = "draws ";
 
 /// Whether a run may have written the file.
 bool is_of_run(const fs::path& file) {
@@ -44,7 +48,7 @@ bool has_broken_record(const fs::path& folder) {
   bool marked = false;
   std::error_code failed;
   for (fs::recursive_directory_iterator entry(folder, failed), end; !failed && entry != end; entry.increment(failed)) {
-    marked = marked || entry->path().filename() == "INCOMPLETE";
+    marked = marked || entry->path().filename().string().starts_with("INCOMPLETE");
     const bool is_folder = entry->is_directory(failed);
     if (!failed && !is_folder && !is_of_run(entry->path())) {
       return false;
@@ -53,9 +57,20 @@ bool has_broken_record(const fs::path& folder) {
   return marked && !failed;
 }
 
+/// Removes what was being written when a process was killed.
+void remove_partial_files(const fs::path& folder) {
+  std::error_code failed;
+  for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end; entry.increment(failed)) {
+    if (entry->path().extension() == ".partial") {
+      std::error_code kept;
+      fs::remove(entry->path(), kept);
+    }
+  }
+}
+
 }  // namespace
 
-OutFolder::OutFolder(fs::path folder) : folder_(std::move(folder)) {
+OutFolder::OutFolder(fs::path folder, const std::string& draws) : folder_(std::move(folder)) {
   const auto refuse = [&](const std::string& why) { return bad_input("--out: " + folder_.string() + " " + why); };
   const auto check = [&](const std::error_code& failed, const std::string& what) {
     if (failed) {
@@ -76,6 +91,17 @@ OutFolder::OutFolder(fs::path folder) : folder_(std::move(folder)) {
   if (!lock_->held()) {
     throw refuse("is being written by another run; give a new one");
   }
+  const std::string own_mark = draws_mark + draws + "\n";
+  const std::string mark = text_of_file(folder_ / "INCOMPLETE");
+  if (mark == own_mark) {
+    remove_partial_files(folder_);
+    return;
+  }
+  if (mark.starts_with(draws_mark)) {
+    throw refuse(
+        "holds draws of another scenario, city pack, model or version of evbal, which broke off; give a new one, or to "
+        "go on the command that began them");
+  }
   const bool empty = fs::is_empty(folder_, failed);
   check(failed, "read");
   if (!empty && !has_broken_record(folder_)) {
@@ -87,6 +113,13 @@ OutFolder::OutFolder(fs::path folder) : folder_(std::move(folder)) {
     check(kept, "emptied");
   }
   check(failed, "read");
+  if (!draws.empty()) {
+    write_file(folder_ / "INCOMPLETE", own_mark);
+  }
+}
+
+void OutFolder::complete() const {
+  fs::remove(folder_ / "INCOMPLETE");
 }
 
 bool broke_off(const fs::path& folder) {

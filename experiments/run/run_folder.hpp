@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 namespace evbal {
 
@@ -13,9 +14,16 @@ class OutFolder {
  public:
   /// Makes the directory, or takes an empty one, or one whose run broke off, of which everything is removed. Throws
   /// Error{bad_input} if it has anything else in it, or if a run goes on there.
-  explicit OutFolder(std::filesystem::path folder);
+  ///
+  /// Of a day that is drawn many times, `draws` is a fingerprint of the draws; it is kept in the directory until
+  /// complete(). Draws that broke off with the same fingerprint go on: nothing is removed. Those with another one are
+  /// refused, whoever asks for the directory.
+  explicit OutFolder(std::filesystem::path folder, const std::string& draws = "");
 
   const std::filesystem::path& path() const { return folder_; }
+
+  /// Notes that all draws are played and their files written.
+  void complete() const;
 
  private:
   std::filesystem::path folder_;

@@ -4,6 +4,16 @@
 #include "experiments/record/paired_run.hpp"
 
 namespace evbal {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Whether a day was recorded there to its end.
+bool is_finished(const fs::path& folder) {
+  return fs::exists(folder / "summary.json") && !fs::exists(folder / "INCOMPLETE");
+}
+
+}  // namespace
 
 std::vector<Run> runs_of(const Scenario& scenario, const std::filesystem::path& folder) {
   std::vector<Run> runs;
@@ -15,17 +25,21 @@ std::vector<Run> runs_of(const Scenario& scenario, const std::filesystem::path& 
   return runs;
 }
 
-RunResult record(const Run& run, bool quiet) {
+RunResult record(const Run& run, const std::function<void(const TickRecord&)>& on_tick) {
   const Scenario& scenario = run.scenario;
   return record_day(scenario, resolved_yaml(scenario, scenario.planning.controller), run.folder,
-                    {.transport = scenario.transport, .quiet = quiet});
+                    {.transport = scenario.transport, .on_tick = on_tick});
 }
 
 Twins::Twins(const std::vector<Run>& runs) {
   worker_.start(0, [&](std::size_t) {
     for (const auto& run : runs) {
-      record({without_faults(run.scenario), twin_folder(run.folder)}, true);
-      mark_complete(twin_folder(run.folder));
+      const fs::path folder = twin_folder(run.folder);
+      if (!is_finished(folder)) {
+        fs::remove_all(folder);
+        record({without_faults(run.scenario), folder});
+        mark_complete(folder);
+      }
     }
   });
 }

@@ -4,6 +4,7 @@
 #include "experiments/run/record_day.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <vector>
 
 namespace evbal {
@@ -14,19 +15,21 @@ struct Run {
   std::filesystem::path folder;
 };
 
-/// A run for each controller: in `folder`, or if there are several, in one of its name below.
+/// A run for each of the scenario's controllers: in `folder`, or in a folder of the controller's name in it if there
+/// are several.
 std::vector<Run> runs_of(const Scenario& scenario, const std::filesystem::path& folder);
 
-/// Plays the run by its scenario's transport. Throws as record_day.
-RunResult record(const Run& run, bool quiet);
+/// Plays the run by its scenario's transport; `on_tick` as in Stage. Throws as record_day.
+RunResult record(const Run& run, const std::function<void(const TickRecord&)>& on_tick = {});
 
-/// The same runs without faults, which a process of its own plays and records meanwhile.
+/// The twins of runs, which are the same without faults (paired_run.hpp): a process of its own plays and records them
+/// meanwhile. Those that are recorded to their end already are left as they are, what is left of others is removed.
 class Twins {
  public:
-  /// Starts it. No other thread may run.
+  /// Starts the process. No other thread may run.
   explicit Twins(const std::vector<Run>& runs);
 
-  /// Waits until all are there. Throws Error{run_failed}.
+  /// Waits until all twins are recorded. Throws Error{run_failed}.
   void await();
 
  private:

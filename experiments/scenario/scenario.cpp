@@ -33,12 +33,6 @@ std::vector<std::string> read_controllers(YamlMap& map, const PlanningSettings& 
   return controllers;
 }
 
-/// A file that a command line names: a path, or the name of one that is shipped in such a folder.
-std::filesystem::path find_shipped(const std::string& folder, const std::filesystem::path& given) {
-  const auto shipped = shipped_folder(folder) / given;
-  return !given.has_parent_path() && !exists(given) && exists(shipped) ? shipped : given;
-}
-
 /// The schedule of an own file in place of the scenario's.
 void read_fault_file(const std::filesystem::path& file, const FaultContext& context, Scenario& scenario) {
   YamlMap map(YamlValue::load(find_shipped("faults", file)));

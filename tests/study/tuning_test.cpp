@@ -1,5 +1,6 @@
 #include "experiments/study/design/tuning.hpp"
 
+#include "experiments/study/design/study_file.hpp"
 #include "tests/folder.hpp"
 
 #include <gtest/gtest.h>

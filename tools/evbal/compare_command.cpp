@@ -2,6 +2,7 @@
 
 #include "experiments/study/statistics/comparison.hpp"
 #include "experiments/study/store/sweep_file.hpp"
+#include "experiments/study/store/sweep_folder.hpp"
 #include "tools/evbal/console_table.hpp"
 
 #include <CLI/CLI.hpp>
@@ -78,7 +79,7 @@ void add_compare_command(CLI::App& app) {
   command->add_option("--metric", question.metric, "What is compared; `lost` unless given");
   command->add_option("--at", question.at, "Metric at whose equal values, along the reference's front: `idle_km`");
   command->callback([arguments] {
-    const auto days = read_finished(arguments->folder / "sweep.sqlite");
+    const auto days = read_finished(arguments->folder / sweep_file_name);
     std::printf("%s", table_of(compare(days, arguments->question), arguments->question).c_str());
   });
 }

@@ -8,7 +8,17 @@ class App;
 
 namespace evbal {
 
-/// Adds the options that `playing` is made from.
-void add_playing_options(CLI::App& command, Playing& playing);
+/// What `evbal sweep` and `evbal tune` ask alike.
+struct PlayingOptions {
+  Playing playing;  ///< but for what is told of days that end
+  bool quiet = false;
+};
+
+/// Adds `--jobs`, `--executor` and `--quiet` to a command.
+void add_playing_options(CLI::App& command, PlayingOptions& options);
+
+/// Plays the days as asked for, shows progress, and says which were played by other programs. Throws as play_sweep.
+void play_shown(const Sweep& sweep, const std::vector<std::string>& keys, const SweepFolder& folder,
+                const PlayingOptions& options);
 
 }  // namespace evbal

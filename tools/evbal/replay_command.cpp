@@ -6,6 +6,7 @@
 #include "common/scratch_folder.hpp"
 #include "experiments/record/compare.hpp"
 #include "experiments/run/record_day.hpp"
+#include "tools/evbal/day_progress.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -28,7 +29,7 @@ void replay(const fs::path& folder, bool quiet) {
   try {
     const Scenario scenario = read_scenario(file);
     const RunResult again = record_day(scenario, text_of_file(file), scratch.path(),
-                                       {.transport = own_transport(scenario), .quiet = quiet});
+                                       {.transport = own_transport(scenario), .on_tick = shown_day(scenario, quiet)});
     if (const auto difference = first_difference(folder, scratch.path(), scenario.world.clock)) {
       throw run_failed(*difference);
     }

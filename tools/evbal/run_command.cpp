@@ -9,7 +9,9 @@
 #include "experiments/run/twins.hpp"
 #include "experiments/study/executors/monte_carlo.hpp"
 #include "tools/evbal/console_table.hpp"
+#include "tools/evbal/day_progress.hpp"
 #include "tools/evbal/report_command.hpp"
+#include "tools/evbal/study_progress.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -56,7 +58,7 @@ std::vector<RunResult> record_all(const std::vector<Run>& runs, bool quiet) {
   std::vector<RunResult> results;
   results.reserve(runs.size());
   for (const auto& run : runs) {
-    results.push_back(record(run, quiet));
+    results.push_back(record(run, shown_day(run.scenario, quiet)));
   }
   if (twins) {
     twins->await();
@@ -128,11 +130,15 @@ void play_once(const Scenario& scenario, const fs::path& folder, bool quiet) {
   check_expectations(scenario, results);
 }
 
-/// The runs of every draw of a schedule.
-void play_all_draws(const Scenario& scenario, const fs::path& folder, const DrawsStage& stage) {
-  const DrawsResult result = play_draws(scenario, folder, stage);
+/// The runs of every draw of a schedule that are not played yet.
+void play_all_draws(const Draws& draws, const OutFolder& out, bool over_bus, bool quiet) {
+  const fs::path& folder = out.path();
+  StudyProgress progress(quiet);
+  warn_of_other_programs(draws_file(folder), draws.keys);
+  const DrawsResult result = play_draws(draws, folder, {.over_bus = over_bus, .on_day_ended = progress.shown_days()});
+  out.complete();
   for (const auto& drawn : result.controllers) {
-    if (!stage.quiet) {
+    if (!quiet) {
       std::printf("%s%s, %zu draws of the faults\n%sworst: %s, %s %s; alone: evbal run %s\n\n",
                   &drawn == &result.controllers.front() ? "\n" : "", drawn.controller.c_str(), drawn.draws,
                   distribution_table(drawn.metrics).c_str(), drawn.worst.c_str(), drawn.worst_metric.c_str(),
@@ -149,12 +155,14 @@ void run(const Arguments& arguments) {
   catch_interrupts();
   const Scenario scenario = read_scenario(find_scenario(arguments.scenario), arguments.overrides);
   check_planning(scenario);
-  const OutFolder out(arguments.out.empty() ? claim_folder(scenario) : fs::path(arguments.out));
-  const fs::path& folder = out.path();
+  const fs::path folder = arguments.out.empty() ? claim_folder(scenario) : fs::path(arguments.out);
+  const std::optional<Draws> draws =
+      scenario.draws.size() > 1 ? std::optional(draws_of(scenario, folder)) : std::nullopt;
+  const OutFolder out(folder, draws ? draws->fingerprint() : "");
   try {
-    if (scenario.draws.size() > 1) {
+    if (draws) {
       const bool over_bus = arguments.overrides.transport == "dds" || own_transport(scenario) == "dds";
-      play_all_draws(scenario, folder, {.over_bus = over_bus, .quiet = arguments.quiet});
+      play_all_draws(*draws, out, over_bus, arguments.quiet);
     } else {
       play_once(scenario, folder, arguments.quiet);
     }

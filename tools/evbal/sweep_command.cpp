@@ -2,10 +2,11 @@
 
 #include "common/files.hpp"
 #include "common/interrupt.hpp"
+#include "experiments/study/design/study_file.hpp"
+#include "experiments/study/executors/day_keys.hpp"
 #include "experiments/study/statistics/page_markdown.hpp"
 #include "experiments/study/store/sweep_file.hpp"
 #include "experiments/study/store/sweep_origin.hpp"
-#include "tools/evbal/playing_options.hpp"
 #include "tools/evbal/tune_command.hpp"
 
 #include <CLI/CLI.hpp>
@@ -20,10 +21,10 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Arguments {
-  fs::path sweep;
+  fs::path sweep;  ///< as given
   std::string out;
   bool quick = false;
-  Playing playing;
+  PlayingOptions options;
 };
 
 fs::path folder_of(const Arguments& arguments) {
@@ -33,24 +34,25 @@ fs::path folder_of(const Arguments& arguments) {
 
 /// What the sweep's tuning froze; an empty path if it has none.
 fs::path tuned_first(const Arguments& arguments) {
-  const fs::path tuning = tuning_of(arguments.sweep);
-  return tuning.empty() ? fs::path() : tune({tuning, folder_of(arguments), arguments.quick, arguments.playing});
+  const fs::path tuning = tuning_of(find_study(arguments.sweep));
+  return tuning.empty() ? fs::path() : tune({tuning, folder_of(arguments), arguments.quick, arguments.options});
 }
 
 void sweep(const Arguments& arguments) {
   catch_interrupts();
-  const Sweep sweep = read_sweep(arguments.sweep, {arguments.quick, tuned_first(arguments)});
+  const fs::path file = find_study(arguments.sweep);
+  const Sweep sweep = read_sweep(file, {arguments.quick, tuned_first(arguments)});
   const std::vector<std::string> keys = keys_of(sweep);
-  const SweepFolder folder(folder_of(arguments));
+  const SweepFolder folder(folder_of(arguments), sweep_file_name);
   for (const char* csv : {"days.csv", "steps.csv", "page.md"}) {
     fs::remove(folder.path() / csv);
   }
-  play_sweep(sweep, keys, folder, arguments.playing);
+  play_shown(sweep, keys, folder, arguments.options);
   const SweptDay& first = sweep.days.front();
   const std::string command = "evbal sweep " + arguments.sweep.string() + (arguments.quick ? " --quick" : "");
   note_origin(folder.file(), {.command = command,
                               .file = arguments.sweep.string(),
-                              .text = text_of_file(arguments.sweep),
+                              .text = text_of_file(file),
                               .scenario = resolved_yaml(scenario_of(first), first.controller)});
   write_file(folder.path() / "steps.csv", swept_steps_csv(folder.file()));
   write_file(folder.path() / "days.csv", swept_days_csv(folder.file()));
@@ -65,10 +67,10 @@ void sweep(const Arguments& arguments) {
 void add_sweep_command(CLI::App& app) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("sweep", "Play the days of a sweep that are not played yet");
-  command->add_option("SWEEP", arguments->sweep, "Sweep file (YAML)")->required();
+  command->add_option("SWEEP", arguments->sweep, "Sweep file (YAML), or the name of a shipped one")->required();
   command->add_option("--out", arguments->out, "Directory, new or of this sweep; otherwise one under runs/");
   command->add_flag("--quick", arguments->quick, "Two days and one seed only, to see every part");
-  add_playing_options(*command, arguments->playing);
+  add_playing_options(*command, arguments->options);
   command->callback([arguments] { sweep(*arguments); });
 }
 

@@ -2,9 +2,10 @@
 
 #include "common/files.hpp"
 #include "common/interrupt.hpp"
+#include "experiments/study/design/study_file.hpp"
 #include "experiments/study/design/tuning.hpp"
+#include "experiments/study/executors/day_keys.hpp"
 #include "experiments/study/store/sweep_file.hpp"
-#include "tools/evbal/playing_options.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -27,13 +28,13 @@ void tune_at(TuneArguments arguments) {
 }  // namespace
 
 fs::path tune(const TuneArguments& arguments) {
-  const Tuning tuning = read_tuning(arguments.tuning, arguments.quick);
+  const Tuning tuning = read_tuning(find_study(arguments.tuning), arguments.quick);
   std::vector<Contest> contests = contests_of(tuning);
   Sweep round = round_of(tuning, contests);
   std::vector<std::string> keys = keys_of(round);
-  const SweepFolder folder(arguments.out);
+  const SweepFolder folder(arguments.out, tuning_file_name);
   while (true) {
-    play_sweep(round, keys, folder, arguments.playing);
+    play_shown(round, keys, folder, arguments.options);
     judge_round(tuning, read_finished(folder.file()), contests);
     if (!undecided(contests)) {
       break;
@@ -41,7 +42,7 @@ fs::path tune(const TuneArguments& arguments) {
     round = round_of(tuning, contests);
     keys = keys_of(round);
   }
-  write_file(folder.path() / "trials.csv", trials_csv(tuning, contests));
+  write_file(folder.path() / "candidates.csv", candidates_csv(tuning, contests));
   write_file(folder.path() / "tuned.yaml", tuned_yaml(winners(tuning, contests)));
   return folder.path() / "tuned.yaml";
 }
@@ -49,10 +50,10 @@ fs::path tune(const TuneArguments& arguments) {
 void add_tune_command(CLI::App& app) {
   const auto arguments = std::make_shared<TuneArguments>();
   CLI::App* command = app.add_subcommand("tune", "Find every controller's settings on training days");
-  command->add_option("TUNING", arguments->tuning, "Tuning file (YAML)")->required();
+  command->add_option("TUNING", arguments->tuning, "Tuning file (YAML), or the name of a shipped one")->required();
   command->add_option("--out", arguments->out, "Directory, new or of this tuning; otherwise one under runs/");
   command->add_flag("--quick", arguments->quick, "Four candidates, one day and one seed only");
-  add_playing_options(*command, arguments->playing);
+  add_playing_options(*command, arguments->options);
   command->callback([arguments] { tune_at(*arguments); });
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "experiments/study/executors/play_sweep.hpp"
+#include "tools/evbal/playing_options.hpp"
 
 #include <filesystem>
 
@@ -18,10 +18,11 @@ struct TuneArguments {
   std::filesystem::path tuning;
   std::filesystem::path out;
   bool quick = false;
-  Playing playing;
+  PlayingOptions options;
 };
 
-/// Tunes, plays only the days that have no result in `out` yet, and gives the file with what came of it. Throws Error.
+/// Tunes, for which it plays the days that have no result in `out` yet, and gives the file with the settings that it
+/// found. Throws Error.
 std::filesystem::path tune(const TuneArguments& arguments);
 
 }  // namespace evbal

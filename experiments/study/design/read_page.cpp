@@ -1,6 +1,6 @@
 #include "common/error.hpp"
 #include "experiments/study/design/page.hpp"
-#include "experiments/study/design/replications.hpp"
+#include "experiments/study/design/study_file.hpp"
 
 #include <algorithm>
 

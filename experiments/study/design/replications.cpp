@@ -1,11 +1,10 @@
 #include "experiments/study/design/replications.hpp"
 
 #include "common/digest.hpp"
+#include "experiments/study/design/study_file.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
-#include <set>
 
 namespace evbal {
 namespace {
@@ -30,9 +29,7 @@ std::optional<YamlValue> read_schedule_of(const YamlValue& value) {
 YamlValue redrawn(const YamlValue& schedule, const std::string& day, std::uint64_t seed) {
   const auto own = YamlMap(schedule).find("seed");
   const std::string text = std::to_string(own ? own->seed() : 0) + " " + day + " " + std::to_string(seed);
-  Digest digest;
-  digest.update(text.data(), text.size());
-  return YamlValue::parse(std::to_string(std::stoull(digest.hex().substr(0, 16), nullptr, 16)), schedule.file());
+  return YamlValue::parse(std::to_string(std::stoull(text_digest(text).substr(0, 16), nullptr, 16)), schedule.file());
 }
 
 YamlValue with_faults(const YamlValue& scenario, const std::optional<YamlValue>& given, const std::string& day,
@@ -49,40 +46,6 @@ YamlValue scenario_beside(const YamlValue& name) {
 }
 
 }  // namespace
-
-std::string shown(const YamlValue& value) {
-  return value.is_scalar() ? value.text() : value.dump();
-}
-
-std::string plain_name(const YamlValue& value) {
-  std::string name = value.file_name();
-  const auto plain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.'; };
-  if (name.empty() || !std::all_of(name.begin(), name.end(), plain)) {
-    throw value.error("`" + name + "` is no name; write letters, digits, `-`, `_` and `.` only");
-  }
-  return name;
-}
-
-std::vector<YamlValue> distinct_items(const YamlValue& list) {
-  std::set<std::string> seen;
-  for (const auto& item : list.items()) {
-    if (!seen.insert(shown(item)).second) {
-      throw item.error("`" + shown(item) + "` is given twice");
-    }
-  }
-  if (seen.empty()) {
-    throw list.error("holds nothing; give at least one");
-  }
-  return list.items();
-}
-
-std::vector<std::uint64_t> read_seeds(const YamlValue& list) {
-  std::vector<std::uint64_t> seeds;
-  for (const auto& item : distinct_items(list)) {
-    seeds.push_back(item.seed());
-  }
-  return seeds;
-}
 
 Replications::Replications(YamlMap& map)
     : scenarios_(read_scenarios(map)),

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -54,31 +53,5 @@ class Replications {
   std::vector<YamlValue> days_;
   std::vector<std::uint64_t> seeds_;
 };
-
-/// The items of a list. Throws Error{bad_input} if there is none or one is given twice.
-std::vector<YamlValue> distinct_items(const YamlValue& list);
-
-/// The variants of `list`, each as `read` gives it; no two may have the same `name`. Throws Error{bad_input}.
-template <class Read>
-auto read_variants(const YamlValue& list, const Read& read) {
-  std::vector<decltype(read(list))> variants;
-  std::set<std::string> names;
-  for (const auto& item : distinct_items(list)) {
-    variants.push_back(read(item));
-    if (!names.insert(variants.back().name).second) {
-      throw item.error("variant `" + variants.back().name + "` is given twice; give this one another `name`");
-    }
-  }
-  return variants;
-}
-
-/// Seeds, all different. Throws Error{bad_input}.
-std::vector<std::uint64_t> read_seeds(const YamlValue& list);
-
-/// What a list item or a setting is called: its text, or its YAML.
-std::string shown(const YamlValue& value);
-
-/// A name in files and on the command line. Throws Error{bad_input}.
-std::string plain_name(const YamlValue& value);
 
 }  // namespace evbal

@@ -1,6 +1,8 @@
 #include "experiments/study/design/sweep.hpp"
 
 #include "coordinator/balancing/controllers.hpp"
+#include "experiments/study/design/study_file.hpp"
+#include "experiments/study/design/tuned.hpp"
 
 #include <algorithm>
 #include <optional>

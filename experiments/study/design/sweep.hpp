@@ -4,7 +4,7 @@
 #include "experiments/scenario/scenario.hpp"
 #include "experiments/study/design/page.hpp"
 #include "experiments/study/design/replications.hpp"
-#include "experiments/study/design/tuned.hpp"
+#include "experiments/study/design/variant_settings.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -47,7 +47,7 @@ Sweep read_sweep(const std::filesystem::path& file, const SweepReading& reading 
 /// The file with the tuning that a sweep needs first, by its key `tuning`; empty if it needs none.
 std::filesystem::path tuning_of(const std::filesystem::path& file);
 
-/// The day of a variant on an replication.
+/// The day of a variant on a replication.
 SweptDay day_of(const Replication& replication, const std::string& variant, const std::string& controller,
                 const std::vector<Setting>& settings);
 

@@ -2,50 +2,9 @@
 
 #include "common/yaml_writer.hpp"
 #include "coordinator/balancing/controllers.hpp"
-#include "experiments/metrics/metrics.hpp"
-#include "experiments/study/design/replications.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cstdio>
+#include "experiments/study/design/study_file.hpp"
 
 namespace evbal {
-
-void put(std::vector<Setting>& settings, const Setting& setting) {
-  const auto there =
-      std::find_if(settings.begin(), settings.end(), [&](const Setting& old) { return old.path == setting.path; });
-  if (there == settings.end()) {
-    settings.push_back(setting);
-  } else {
-    *there = setting;
-  }
-}
-
-void note_paths(const std::vector<Setting>& settings, std::vector<std::string>& paths) {
-  for (const auto& setting : settings) {
-    if (std::find(paths.begin(), paths.end(), setting.path) == paths.end()) {
-      paths.push_back(setting.path);
-    }
-  }
-}
-
-void refuse_path(const YamlValue& value, const std::string& path) {
-  static constexpr std::array own = {"schema",      "name",   "day",       "seed",   "controller",
-                                     "controllers", "faults", "transport", "expect", "regions_per_process"};
-  const std::vector<std::string> metrics = metric_names();
-  if (std::find(own.begin(), own.end(), path.substr(0, path.find('.'))) != own.end() ||
-      std::find(metrics.begin(), metrics.end(), path) != metrics.end()) {
-    throw value.error("`" + path +
-                      "` cannot be a setting of a variant; settings are keys of the scenario such as "
-                      "`balancing.p_shortage` or `clock.plan_every`");
-  }
-}
-
-YamlValue rounded_setting(double value, const std::string& file) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.4g", value);
-  return YamlValue::parse(text.data(), file);
-}
 
 Tuned read_tuned(const std::filesystem::path& file) {
   Tuned tuned;

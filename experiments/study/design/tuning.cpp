@@ -4,6 +4,7 @@
 #include "common/decimal.hpp"
 #include "common/table_text.hpp"
 #include "coordinator/balancing/controllers.hpp"
+#include "experiments/study/design/study_file.hpp"
 
 #include <algorithm>
 #include <array>
@@ -93,7 +94,7 @@ std::vector<Replication> spread(const std::vector<Replication>& all, std::size_t
 }
 
 /// How many of `all` replications the candidates that are left play.
-std::size_t occasions_for(std::size_t left, std::size_t all) {
+std::size_t replications_for(std::size_t left, std::size_t all) {
   return std::clamp<std::size_t>(2 * all / left, 1, all);
 }
 
@@ -145,7 +146,7 @@ Sweep round_of(const Tuning& tuning, const std::vector<Contest>& contests) {
   for (const auto& contest : contests) {
     const Tunable& variant = tuning.variants[contest.variant];
     const auto all = tuning.replications.of(contest.scenario);
-    const auto replications = spread(all, occasions_for(contest.left, all.size()));
+    const auto replications = spread(all, replications_for(contest.left, all.size()));
     for (std::size_t i = 0; i < contest.left; ++i) {
       const Candidate& candidate = contest.candidates[i];
       note_paths(candidate.settings, round.settings);
@@ -160,7 +161,7 @@ Sweep round_of(const Tuning& tuning, const std::vector<Contest>& contests) {
 void judge_round(const Tuning& tuning, const std::vector<FinishedDay>& days, std::vector<Contest>& contests) {
   auto day = days.begin();
   for (auto& contest : contests) {
-    const std::size_t replications = occasions_for(contest.left, tuning.replications.of(contest.scenario).size());
+    const std::size_t replications = replications_for(contest.left, tuning.replications.of(contest.scenario).size());
     for (std::size_t i = 0; i < contest.left; ++i) {
       double sum = 0.0;
       for (std::size_t j = 0; j < replications; ++j) {
@@ -186,7 +187,7 @@ Tuned winners(const Tuning& tuning, const std::vector<Contest>& contests) {
   return tuned;
 }
 
-std::string trials_csv(const Tuning& tuning, const std::vector<Contest>& contests) {
+std::string candidates_csv(const Tuning& tuning, const std::vector<Contest>& contests) {
   std::string csv = "scenario,variant,candidate,days,objective,settings\n";
   for (const auto& contest : contests) {
     for (const auto& candidate : contest.candidates) {

@@ -72,7 +72,7 @@ void judge_round(const Tuning& tuning, const std::vector<FinishedDay>& days, std
 /// The best of each contest.
 Tuned winners(const Tuning& tuning, const std::vector<Contest>& contests);
 
-/// trials.csv: a row a candidate, those that came far first.
-std::string trials_csv(const Tuning& tuning, const std::vector<Contest>& contests);
+/// candidates.csv: a row a candidate, those that came far first.
+std::string candidates_csv(const Tuning& tuning, const std::vector<Contest>& contests);
 
 }  // namespace evbal

@@ -1,12 +1,15 @@
 #include "experiments/study/executors/monte_carlo.hpp"
 
 #include "common/decimal.hpp"
+#include "common/digest.hpp"
 #include "common/error.hpp"
 #include "common/files.hpp"
 #include "common/table_text.hpp"
+#include "common/workers.hpp"
 #include "experiments/record/paired_run.hpp"
-#include "experiments/record/summary.hpp"
+#include "experiments/run/record_day.hpp"
 #include "experiments/run/twins.hpp"
+#include "experiments/study/executors/day_keys.hpp"
 #include "experiments/study/executors/play_days.hpp"
 #include "experiments/study/statistics/distribution.hpp"
 #include "experiments/study/store/sweep_file.hpp"
@@ -48,44 +51,26 @@ std::string resolved_draw(const Scenario& scenario, std::size_t draw) {
   return resolved_yaml(with_draw(scenario, draw), scenario.planning.controller);
 }
 
-/// Every draw of every run as a day of a sweep.
-Sweep sweep_of(const std::vector<Run>& runs) {
-  Sweep sweep;
-  for (const auto& [scenario, folder] : runs) {
-    for (std::size_t draw = 0; draw < scenario.draws.size(); ++draw) {
-      sweep.days.push_back({.variant = scenario.planning.controller,
-                            .controller = scenario.planning.controller,
-                            .faults = name_of(draw),
-                            .day = scenario.world.day.date,
-                            .seed = scenario.world.seed,
-                            .yaml = YamlValue::parse(resolved_draw(scenario, draw), name_of(draw))});
-    }
-  }
-  return sweep;
-}
-
-/// Plays all draws and gathers their results in runs.sqlite.
-void play(const std::vector<Run>& runs, const fs::path& folder, const DrawsStage& stage) {
-  const Sweep sweep = sweep_of(runs);
-  std::vector<std::string> keys;
-  for (const auto& day : sweep.days) {
-    keys.push_back(text_digest(day.yaml.dump()));
-  }
-  const fs::path file = folder / "runs.sqlite";
-  const Labour labour{stage.over_bus ? 1 : cores(), stage.quiet};
-  const std::string failed = play_days(sweep, keys, file, labour, [&](std::size_t i) {
-    const std::size_t draws = runs.front().scenario.draws.size();
-    const Scenario scenario = with_draw(runs[i / draws].scenario, i % draws);
-    add_result(file, keys[i], scenario.world.clock,
+/// Plays the draws that have no result in runs.sqlite yet.
+void play(const Draws& draws, const fs::path& folder, const DrawsStage& stage) {
+  const fs::path file = draws_file(folder);
+  const auto play_one = [&](std::size_t i) {
+    const std::size_t per_run = draws.runs.front().scenario.draws.size();
+    const Scenario scenario = with_draw(draws.runs[i / per_run].scenario, i % per_run);
+    add_result(file, draws.keys[i], scenario.world.clock,
                stage.over_bus ? play_day(scenario, folder / "processes-of-a-draw") : play_day(scenario));
-  });
+  };
+  const auto work = [&](const std::vector<std::size_t>& days, const Done& done) {
+    work_through(days, stage.over_bus ? 1 : cores(), play_one, done);
+  };
+  const std::string failed = do_days(draws.sweep, draws.keys, file, stage.on_day_ended, work);
   if (!failed.empty()) {
     throw run_failed("runs that failed:" + failed);
   }
 }
 
 std::vector<Drawn> gathered(const std::vector<Run>& runs, const fs::path& folder) {
-  const auto days = read_finished(folder / "runs.sqlite");
+  const auto days = read_finished(draws_file(folder));
   std::vector<Drawn> all;
   for (const auto& run : runs) {
     Drawn drawn{.run = run, .totals = {}, .without = read_run(twin_folder(run.folder)).totals};
@@ -165,14 +150,43 @@ std::string disappointments(const std::vector<Drawn>& all) {
 
 }  // namespace
 
-DrawsResult play_draws(const Scenario& scenario, const fs::path& folder, const DrawsStage& stage) {
-  fs::create_directories(folder);
-  const std::vector<Run> runs = runs_of(scenario, folder);
-  Twins twins(runs);
-  play(runs, folder, stage);
+std::string Draws::fingerprint() const {
+  std::string all;
+  for (const auto& key : keys) {
+    all += key;
+  }
+  return text_digest(all);
+}
+
+Draws draws_of(const Scenario& scenario, const fs::path& folder) {
+  Draws draws{.runs = runs_of(scenario, folder), .sweep = {}, .keys = {}};
+  DayKeys day_keys;
+  for (const auto& [of_controller, its_folder] : draws.runs) {
+    const std::string& controller = of_controller.planning.controller;
+    for (std::size_t draw = 0; draw < of_controller.draws.size(); ++draw) {
+      const Scenario drawn = with_draw(of_controller, draw);
+      draws.sweep.days.push_back({.variant = controller,
+                                  .controller = controller,
+                                  .faults = name_of(draw),
+                                  .day = scenario.world.day.date,
+                                  .seed = scenario.world.seed,
+                                  .yaml = YamlValue::parse(resolved_yaml(drawn, controller), name_of(draw))});
+      draws.keys.push_back(day_keys.of(drawn, controller));
+    }
+  }
+  return draws;
+}
+
+fs::path draws_file(const fs::path& folder) {
+  return folder / "runs.sqlite";
+}
+
+DrawsResult play_draws(const Draws& draws, const fs::path& folder, const DrawsStage& stage) {
+  Twins twins(draws.runs);
+  play(draws, folder, stage);
   twins.await();
-  const std::vector<Drawn> all = gathered(runs, folder);
-  write_file(folder / "runs.csv", swept_days_csv(folder / "runs.sqlite"));
+  const std::vector<Drawn> all = gathered(draws.runs, folder);
+  write_file(folder / "runs.csv", swept_days_csv(draws_file(folder)));
   write_file(folder / "distribution.csv", distribution_csv(all));
   DrawsResult result;
   for (const auto& drawn : all) {

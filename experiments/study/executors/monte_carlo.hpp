@@ -1,6 +1,8 @@
 #pragma once
 
+#include "experiments/run/twins.hpp"
 #include "experiments/scenario/scenario.hpp"
+#include "experiments/study/executors/play_days.hpp"
 #include "experiments/study/statistics/distribution.hpp"
 
 #include <cstddef>
@@ -10,10 +12,10 @@
 
 namespace evbal {
 
-/// How the draws are played, which changes nothing of what they come to.
+/// How the draws are played, none of which changes their results.
 struct DrawsStage {
-  bool over_bus = false;  ///< one after another; else several at a time, without processes of their own
-  bool quiet = false;
+  bool over_bus = false;  ///< one after another; else several at a time, each in one process
+  OnDayEnded on_day_ended{};
 };
 
 /// How a metric is spread over the draws, and its value without faults.
@@ -39,7 +41,23 @@ struct DrawsResult {
   std::string disappointments;  ///< how often which expectation did not hold; empty if all held
 };
 
-/// Plays the scenario's day with every draw of its faults, under each of its controllers. Into `folder`:
+/// A day that is played with every draw of its faults, under each of its controllers.
+struct Draws {
+  std::vector<Run> runs;  ///< one a controller
+  Sweep sweep;            ///< every draw of every run as a day
+  std::vector<std::string> keys;
+
+  /// Differs if any of the days does.
+  std::string fingerprint() const;
+};
+
+/// The draws of the scenario, to be recorded in `folder`. Throws Error{bad_input}.
+Draws draws_of(const Scenario& scenario, const std::filesystem::path& folder);
+
+/// The file in the folder in which the draws' results gather (store/sweep_file.hpp).
+std::filesystem::path draws_file(const std::filesystem::path& folder);
+
+/// Plays the draws that have no result in the folder yet. Into `folder`:
 ///
 ///     runs.csv              a row a draw and controller, as days.csv of a sweep; `faults` names the draw
 ///     distribution.csv      controller, metric, min, q1, median, q3, p90, max, mean, and without faults
@@ -49,9 +67,9 @@ struct DrawsResult {
 ///
 ///     worst.yaml            the draw that was worst by the first metric that is expected, or lost most passengers;
 ///                           a resolved scenario
-///     without-faults        the day that all draws are held against
+///     without-faults        the day without faults, with which all draws are compared
 ///
-/// Throws Error{run_failed} if a day fails.
-DrawsResult play_draws(const Scenario& scenario, const std::filesystem::path& folder, const DrawsStage& stage);
+/// Throws Error{run_failed} if a day fails; the others keep their results.
+DrawsResult play_draws(const Draws& draws, const std::filesystem::path& folder, const DrawsStage& stage);
 
 }  // namespace evbal

@@ -10,26 +10,28 @@
 
 namespace evbal {
 
-/// Hears of each day that ends, with what went wrong or an empty text.
-using Done = std::function<void(std::size_t, const std::string&)>;
-
-/// How the days of a sweep are worked through, none of which changes what they come to.
-struct Labour {
-  int at_a_time = 1;
-  bool quiet = false;  ///< without progress
+/// A day that has just ended, and how far its sweep has come.
+struct DayEnded {
+  std::string day;  ///< variant, settings, faults, date and seed
+  bool failed = false;
+  std::size_t ended = 0;  ///< days of the sweep that have ended, those of earlier calls among them
+  std::size_t all = 0;    ///< days of the sweep
 };
 
-/// As many days at a time as there are cores.
+/// Is told of each day that ends; may be empty.
+using OnDayEnded = std::function<void(const DayEnded&)>;
+
+/// Takes the position of a day that has ended, with what went wrong or an empty text.
+using Done = std::function<void(std::size_t, const std::string&)>;
+
+/// Does the days with these positions, adds their results to the sweep's file, and tells of each.
+using Work = std::function<void(const std::vector<std::size_t>&, const Done&)>;
+
+/// The number of processor cores.
 int cores();
 
-/// Has `work` do the days of a sweep whose keys have no result in `file` yet, given by their positions; it adds the
-/// results. Shows progress on stderr. Gives a line for each day that failed.
+/// Has `work` do the days of a sweep whose keys have no result in `file` yet. Gives a line for each day that failed.
 std::string do_days(const Sweep& sweep, const std::vector<std::string>& keys, const std::filesystem::path& file,
-                    bool quiet, const std::function<void(const std::vector<std::size_t>&, const Done&)>& work);
-
-/// Plays the days of a sweep whose keys have no result in `file` yet, by `play` of the day's position, in processes of
-/// their own; it adds the result. Shows progress on stderr. Gives a line for each day that failed.
-std::string play_days(const Sweep& sweep, const std::vector<std::string>& keys, const std::filesystem::path& file,
-                      const Labour& labour, const std::function<void(std::size_t)>& play);
+                    const OnDayEnded& on_day_ended, const Work& work);
 
 }  // namespace evbal

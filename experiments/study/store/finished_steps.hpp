@@ -14,7 +14,7 @@ struct FinishedSteps {
 };
 
 /// For each of the days that read_finished gives, in that order, these columns of steps.csv. Throws Error{bad_input} if
-/// there is no sweep.
+/// the file is no sweep or has no such column.
 std::vector<FinishedSteps> read_finished_steps(const std::filesystem::path& file,
                                                const std::vector<std::string>& columns);
 

@@ -3,6 +3,7 @@
 #include "common/decimal.hpp"
 #include "common/error.hpp"
 #include "common/table_text.hpp"
+#include "common/version.hpp"
 #include "experiments/metrics/columns.hpp"
 #include "experiments/record/database_table.hpp"
 
@@ -19,6 +20,11 @@ constexpr int longest_wait_ms = 60'000;  // for another process that writes
 
 SQLite::Database opened(const fs::path& file, int flags) {
   return SQLite::Database(file.string(), flags, longest_wait_ms);
+}
+
+Error no_sweep(const fs::path& file, const SQLite::Exception& error) {
+  return bad_input(file.string() + ": is no sweep of this version of evbal (" + error.what() +
+                   "); give another directory with --out");
 }
 
 /// Appends the columns of a metrics' row.
@@ -39,6 +45,7 @@ Row result_row(const std::string& key, const DayResult& result) {
   Row row = {{"key", key}};
   add_columns(row, result.metrics.totals);
   row.push_back({"fallbacks", std::int64_t{result.fallbacks}});
+  row.push_back({"program", this_program()});
   row.push_back({"digest", result.digest});
   return row;
 }
@@ -130,6 +137,7 @@ std::set<std::string> begin_sweep(const fs::path& file, const Sweep& sweep, cons
     SQLite::Transaction transaction(database);
     make_tables(database);
     database.exec("DROP TABLE IF EXISTS days");
+    database.exec("DROP TABLE IF EXISTS origin");
     Table days(database, "days", day_row(0, sweep, sweep.days.front(), ""));
     for (std::size_t i = 0; i < keys.size(); ++i) {
       days.add(day_row(i + 1, sweep, sweep.days[i], keys[i]));
@@ -142,8 +150,7 @@ std::set<std::string> begin_sweep(const fs::path& file, const Sweep& sweep, cons
     transaction.commit();
     return finished;
   } catch (const SQLite::Exception& error) {
-    throw bad_input(file.string() + ": is no sweep of this version of evbal (" + error.what() +
-                    "); give another directory with --out");
+    throw no_sweep(file, error);
   }
 }
 
@@ -176,6 +183,29 @@ void merge_result(const fs::path& file, const fs::path& other) {
   transaction.commit();
 }
 
+std::vector<PlayedByAnother> played_by_others(const fs::path& file, const std::vector<std::string>& keys) {
+  if (!fs::exists(file)) {
+    return {};
+  }
+  try {
+    const SQLite::Database database = opened(file, SQLite::OPEN_READONLY);
+    SQLite::Statement row(database, "SELECT program, key FROM results WHERE program <> ? ORDER BY program");
+    row.bind(1, this_program());
+    const std::set<std::string> asked_for(keys.begin(), keys.end());
+    std::vector<PlayedByAnother> all;
+    while (row.executeStep()) {
+      const std::string program = row.getColumn(0).getString();
+      if (all.empty() || all.back().program != program) {
+        all.push_back({.program = program});
+      }
+      ++(asked_for.contains(row.getColumn(1).getString()) ? all.back().asked_for : all.back().others);
+    }
+    return all;
+  } catch (const SQLite::Exception& error) {
+    throw no_sweep(file, error);
+  }
+}
+
 std::string swept_days_csv(const fs::path& file) {
   return csv(file, "SELECT * FROM days JOIN results USING (key) ORDER BY run");
 }
@@ -184,7 +214,7 @@ std::string swept_steps_csv(const fs::path& file) {
   return csv(file, "SELECT run, steps.* FROM days JOIN steps USING (key) ORDER BY run, step");
 }
 
-std::vector<FinishedDay> read_finished(const fs::path& file) {
+std::vector<FinishedDay> read_finished(const fs::path& file) try {
   if (!fs::exists(file)) {
     throw bad_input(file.string() + ": is not there; give a directory that `evbal sweep` wrote");
   }
@@ -200,6 +230,8 @@ std::vector<FinishedDay> read_finished(const fs::path& file) {
     days.push_back(finished_day(rows));
   }
   return days;
+} catch (const SQLite::Exception& error) {
+  throw no_sweep(file, error);
 }
 
 }  // namespace evbal

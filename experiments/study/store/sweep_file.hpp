@@ -10,20 +10,23 @@
 #include <string>
 #include <vector>
 
-/// sweep.sqlite, in which a sweep's results gather:
+/// A database in which the results of many days gather: sweep.sqlite of a sweep, tuning.sqlite of the tuning that it
+/// may need first, runs.sqlite of a schedule's draws. Its tables:
 ///
-///     days      run, scenario, variant, controller, faults, day, seed, the settings by path, key      what is to be
-///     run results   key, the totals by the names of metrics/columns.hpp, fallbacks, digest      a row a finished day
-///     steps     key, start, the columns of steps.csv                                        its steps
-///     origin    what it was made from (sweep_origin.hpp)
+///     days      a row a day that is asked for: run, scenario, variant, controller, faults, day, seed, the settings by
+///               path, key
+///     results   a row a finished day: key, the totals by the names of metrics/columns.hpp, fallbacks, program, digest
+///     steps     a row a step of a finished day: key, start, the columns of steps.csv
+///     origin    what a finished sweep was made from (sweep_origin.hpp)
 ///
-/// `run` counts from 1. `key` is a fingerprint of the day's resolved scenario: a result serves every sweep that asks
-/// for the same day. Each function opens the file anew, so that processes may add to it in turn.
+/// `run` counts from 1. `key` is a fingerprint of all that a day's result comes from (executors/day_keys.hpp): a result
+/// serves whoever asks for the same day. `program` says who played it (common/version.hpp). Each function opens the
+/// file anew, so that processes may add to it in turn.
 namespace evbal {
 
-/// Makes the file if it is missing and writes down what is to be run, with a key for each of the sweep's days, in place
-/// of what was to be run before. Gives the keys that have their results already. Throws Error{bad_input} if the file is
-/// something else or of another version.
+/// Makes the file if it is missing and writes down the days that are asked for, with a key for each, in place of those
+/// that were asked for before, and of their origin. Gives the keys that have their results already. Throws
+/// Error{bad_input} if the file is something else or of another version.
 std::set<std::string> begin_sweep(const std::filesystem::path& file, const Sweep& sweep,
                                   const std::vector<std::string>& keys);
 
@@ -31,7 +34,7 @@ std::set<std::string> begin_sweep(const std::filesystem::path& file, const Sweep
 void add_result(const std::filesystem::path& file, const std::string& key, const DayClock& clock,
                 const DayResult& result);
 
-/// Makes the file, if it is missing, with tables for results and nothing to be run. Throws SQLite's exception if it is
+/// Makes the file, if it is missing, with tables for results; no days are asked for. Throws SQLite's exception if it is
 /// something else.
 void begin_results(const std::filesystem::path& file);
 
@@ -39,13 +42,24 @@ void begin_results(const std::filesystem::path& file);
 /// out.
 void merge_result(const std::filesystem::path& file, const std::filesystem::path& other);
 
+/// Results in a file that another program than this one played: another version of evbal, or another build.
+struct PlayedByAnother {
+  std::string program;
+  int asked_for = 0;  ///< results that have one of the keys
+  int others = 0;     ///< results that have none
+};
+
+/// Those in the file, by program; none if there is no file. Throws Error{bad_input} as begin_sweep.
+std::vector<PlayedByAnother> played_by_others(const std::filesystem::path& file, const std::vector<std::string>& keys);
+
 /// days.csv: a row a day of the sweep with its settings and totals, by `run`.
 std::string swept_days_csv(const std::filesystem::path& file);
 
 /// steps.csv: a row a step of every day, `run` first.
 std::string swept_steps_csv(const std::filesystem::path& file);
 
-/// The days of a finished sweep, by `run`. Throws Error{bad_input} if there is no sweep or a day of it is missing.
+/// The days that were asked for with their results, by `run`. Throws Error{bad_input} if there is no such file, or a
+/// day has no result.
 std::vector<FinishedDay> read_finished(const std::filesystem::path& file);
 
 }  // namespace evbal

@@ -2,10 +2,14 @@
 
 #include "tests/run/evbal/command_line.hpp"
 
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
+#include <signal.h>
 
 #include <algorithm>
+#include <chrono>
 #include <sstream>
+#include <thread>
 
 namespace evbal {
 namespace {
@@ -38,6 +42,27 @@ class Draws : public ::testing::Test {
       cells[name] = value;
     }
     return cells;
+  }
+
+  /// Draws that have their results in a folder, 0 while there is none.
+  int finished(const std::string& folder) const {
+    try {
+      const SQLite::Database database((line_.path() / folder / "runs.sqlite").string(), SQLite::OPEN_READONLY, 1000);
+      SQLite::Statement count(database, "SELECT count(*) FROM results");
+      return count.executeStep() ? count.getColumn(0).getInt() : 0;
+    } catch (const SQLite::Exception&) {
+      return 0;
+    }
+  }
+
+  /// Kills the program as soon as that many draws have their results.
+  void kill_after(int draws, const std::string& arguments, const std::string& folder) const {
+    const pid_t id = line_.start(arguments);
+    for (int i = 0; i < 6000 && finished(folder) < draws; ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    kill(id, SIGKILL);
+    wait_for(id);
   }
 
   CommandLine line_;
@@ -78,6 +103,41 @@ TEST_F(Draws, SayInHowManyAnExpectationFails) {
   EXPECT_NE(ended.err.find("served, expected at least 9999, fails in 3 of 3 draws"), std::string::npos) << ended.err;
   EXPECT_EQ(ended.err.find("lost"), std::string::npos) << ended.err;
   EXPECT_TRUE(fs::exists(line_.path() / "a" / "worst.yaml"));
+}
+
+TEST_F(Draws, GoOnAfterAKill) {
+  schedule(16);
+  const std::string command = "run morning.yaml --faults draws.yaml --out killed";
+  int before = 0;
+  for (const int draws : {1, 4, 6}) {  // the first of them while the day without faults is still played, too
+    kill_after(draws, command, "killed");
+    ASSERT_GE(finished("killed"), draws);
+    ASSERT_LT(finished("killed"), 16);
+    EXPECT_GE(finished("killed"), before);
+    before = finished("killed");
+  }
+  const Ended resumed = line_.evbal(command);
+  ASSERT_EQ(resumed.status, 0) << resumed.err;
+  EXPECT_EQ(std::count(resumed.err.begin(), resumed.err.end(), '\n'), 16 - before) << resumed.err;
+  EXPECT_NE(resumed.err.find(std::to_string(before + 1) + "/16"), std::string::npos) << resumed.err;
+  ASSERT_EQ(line_.evbal("run morning.yaml --faults draws.yaml --out whole --quiet").status, 0);
+  for (const char* file : {"runs.csv", "distribution.csv", "worst.yaml", "without-faults/steps.csv"}) {
+    EXPECT_EQ(text_of(line_.path() / "killed" / file), text_of(line_.path() / "whole" / file)) << file;
+  }
+  EXPECT_EQ(line_.evbal(command).status, 2);  // a finished one is not written again
+}
+
+TEST_F(Draws, OfAnotherScenarioAreLeftAlone) {
+  schedule(16);
+  kill_after(2, "run morning.yaml --faults draws.yaml --out killed", "killed");
+  const int before = finished("killed");
+  ASSERT_GE(before, 2);
+  for (const char* other : {"--seed 2 --faults draws.yaml", ""}) {
+    const Ended refused = line_.evbal("run morning.yaml --out killed " + std::string(other));
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_NE(refused.err.find("holds draws of another scenario"), std::string::npos) << refused.err;
+    EXPECT_EQ(finished("killed"), before);
+  }
 }
 
 }  // namespace

@@ -34,6 +34,9 @@ TEST(Run, LeavesACompleteDirectoryAndATable) {
   EXPECT_EQ(line.summary("a", "steps"), "6");
   EXPECT_EQ(line.summary("a", "fleet_conserved"), "true");
   EXPECT_EQ(line.summary("a", "fallbacks"), "0");
+  EXPECT_TRUE(line.summary("a", "program").starts_with("\"evbal ")) << line.summary("a", "program");
+  EXPECT_EQ(line.summary("a", "pack_digest").size(), 34U);
+  EXPECT_EQ(line.summary("a", "model_digest").size(), 34U);
   EXPECT_NE(ended.out.find("idle km"), std::string::npos);
   EXPECT_NE(ended.err.find("08:00  served"), std::string::npos) << ended.err;
   EXPECT_NE(ended.err.find("[outage]"), std::string::npos) << ended.err;

@@ -76,8 +76,8 @@ TEST(Tune, GivesTheSameBytesForAnyNumberOfJobsAndASweepTakesThem) {
   EXPECT_EQ(two.out, "two/tuned.yaml\n");
   ASSERT_EQ(line.evbal("tune tuning.yaml --jobs 1 --out one --quiet").status, 0);
   EXPECT_EQ(text_of(line.path() / "one" / "tuned.yaml"), text_of(line.path() / "two" / "tuned.yaml"));
-  EXPECT_EQ(text_of(line.path() / "one" / "trials.csv"), text_of(line.path() / "two" / "trials.csv"));
-  EXPECT_EQ(lines_of(text_of(line.path() / "one" / "trials.csv")), 7);
+  EXPECT_EQ(text_of(line.path() / "one" / "candidates.csv"), text_of(line.path() / "two" / "candidates.csv"));
+  EXPECT_EQ(lines_of(text_of(line.path() / "one" / "candidates.csv")), 7);
 
   std::ofstream(line.path() / "sweep.yaml") << "schema: 1\nscenario: morning.yaml\nseeds: [1]\ndays: [2024-01-11]\n"
                                                "tuning: tuning.yaml\nvariants: [{tuned: ratio}, {controller: none}]\n";
@@ -88,6 +88,20 @@ TEST(Tune, GivesTheSameBytesForAnyNumberOfJobsAndASweepTakesThem) {
   EXPECT_EQ(again.err, "");  // nothing is played twice
 }
 
+TEST(Tune, LeavesASweepInItsFolderItsOwnDays) {
+  const CommandLine line;
+  std::ofstream(line.path() / "tuning.yaml") << tuning << "days: [2024-01-03, 2024-01-02]\n";
+  std::ofstream(line.path() / "sweep.yaml") << "schema: 1\nscenario: morning.yaml\nseeds: [1]\ndays: [2024-01-11]\n"
+                                               "tuning: tuning.yaml\nvariants: [{tuned: ratio}, {controller: none}]\n";
+  ASSERT_EQ(line.evbal("sweep sweep.yaml --out one --quiet").status, 0);
+  const Ended before = line.evbal("compare one --against none");
+  ASSERT_EQ(before.status, 0) << before.err;
+  ASSERT_EQ(line.evbal("tune tuning.yaml --out one --quiet").status, 0);  // as far as a second start may come
+  EXPECT_EQ(line.evbal("compare one --against none").out, before.out);
+  ASSERT_EQ(line.evbal("tune tuning.yaml --out two --quiet").status, 0);
+  EXPECT_EQ(line.evbal("compare two --against none").status, 2);  // what was tuned is no comparison
+}
+
 TEST(Tune, RefusesTestDays) {
   const CommandLine line;
   std::ofstream(line.path() / "tuning.yaml") << tuning << "days: [2024-01-03, 2024-01-11]\n";
@@ -95,6 +109,54 @@ TEST(Tune, RefusesTestDays) {
   EXPECT_EQ(refused.status, 2);
   EXPECT_NE(refused.err.find("`2024-01-11` is no training day"), std::string::npos) << refused.err;
   EXPECT_FALSE(fs::exists(line.path() / "runs"));
+}
+
+/// Puts `to` in place of the first `from` of a file.
+void edit(const fs::path& file, const std::string& from, const std::string& to) {
+  std::string text = text_of(file);
+  ASSERT_NE(text.find(from), std::string::npos) << file;
+  std::ofstream(file) << text.replace(text.find(from), from.size(), to);
+}
+
+TEST(Sweep, PlaysAnewWhatAnotherPackOrModelGives) {
+  const CommandLine line;
+  fs::copy(EVBAL_SOURCE_DIR "/experiments/cities/toy-5", line.path() / "town", fs::copy_options::recursive);
+  line.scenario("morning.yaml", "");
+  edit(line.path() / "morning.yaml", "toy-5", "town");
+  std::ofstream(line.path() / "sweep.yaml") << "schema: 1\nscenario: morning.yaml\nseeds: [1]\ndays: [2024-01-11]\n"
+                                               "variants: [{controller: ratio}]\n";
+  const auto days_played = [&] { return lines_of(line.evbal("sweep sweep.yaml --out out").err); };
+  EXPECT_EQ(days_played(), 1);
+  EXPECT_EQ(days_played(), 0);
+  edit(line.path() / "town" / "README.md", "#", "##");
+  EXPECT_EQ(days_played(), 0);
+  edit(line.path() / "town" / "city.yaml", "source: \"", "source: \"again ");
+  EXPECT_EQ(days_played(), 1);
+  edit(line.path() / "town" / "model.json", "\"mean_session_minutes\": ", "\"mean_session_minutes\": 1");
+  EXPECT_EQ(days_played(), 1);
+  EXPECT_EQ(days_played(), 0);
+  EXPECT_EQ(lines_of(text_of(line.path() / "out" / "days.csv")), 2);
+}
+
+TEST(Sweep, TellsOfDaysThatAnotherProgramPlayed) {
+  const CommandLine line;
+  ASSERT_EQ(line.evbal("sweep sweep-small.yaml --quick --out out --quiet").status, 0);
+  EXPECT_EQ(line.evbal("sweep sweep-small.yaml --quick --out out --quiet").err, "");
+  SQLite::Database((line.path() / "out" / "sweep.sqlite").string(), SQLite::OPEN_READWRITE)
+      .exec("UPDATE results SET program = 'evbal 0.0.1 (build 0)' WHERE key IN (SELECT key FROM days WHERE run < 3)");
+  const Ended again = line.evbal("sweep sweep-small.yaml --quick --out out --quiet");
+  EXPECT_EQ(again.status, 0);
+  EXPECT_NE(again.err.find("2 of the days were played by evbal 0.0.1 (build 0)"), std::string::npos) << again.err;
+  EXPECT_NE(text_of(line.path() / "out" / "days.csv").find(",evbal 0.0.1 (build 0),"), std::string::npos);
+}
+
+TEST(Sweep, IsFoundByItsNameIfItIsShipped) {
+  const CommandLine line;
+  const Ended swept = line.evbal("sweep sweep-small.yaml --quick --quiet");
+  EXPECT_EQ(swept.status, 0) << swept.err;
+  EXPECT_EQ(swept.out, "runs/sweep-small-quick/days.csv\n");
+  const Ended refused = line.evbal("sweep sweep-smal.yaml");
+  EXPECT_EQ(refused.status, 2);
 }
 
 TEST(Sweep, RefusesWhatIsWrongBeforeAnyWork) {

@@ -1,4 +1,4 @@
-#include "experiments/progress/progress.hpp"
+#include "tools/evbal/day_progress.hpp"
 
 #include "experiments/progress/live_view.hpp"
 
@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <utility>
+#include <memory>
 
 namespace evbal {
 namespace {
@@ -19,17 +19,24 @@ int terminal_columns() {
   return std::max(20, (known ? size.ws_col : 80) - 1);
 }
 
+std::vector<std::string> fault_names(const Schedule& schedule) {
+  std::vector<std::string> names;
+  for (const auto& fault : schedule.faults) {
+    names.push_back(fault.name);
+  }
+  return names;
+}
+
 }  // namespace
 
-Progress::Progress(std::string title, DayClock clock, std::vector<std::string> fault_names, bool quiet)
-    : title_(std::move(title)),
-      clock_(clock),
-      quiet_(quiet),
+DayProgress::DayProgress(const Scenario& scenario)
+    : title_(scenario.planning.controller),
+      clock_(scenario.world.clock),
       terminal_(isatty(STDERR_FILENO) == 1),
       start_(std::chrono::steady_clock::now()),
-      watch_(clock, std::move(fault_names)) {}
+      watch_(clock_, fault_names(scenario.schedule)) {}
 
-void Progress::redraw(const std::vector<std::string>& lines) {
+void DayProgress::redraw(const std::vector<std::string>& lines) {
   std::string text = drawn_ > 0 ? "\033[" + std::to_string(drawn_) + "F" : "";
   for (const std::string& line : lines) {
     text += "\033[K" + line + "\n";
@@ -38,11 +45,8 @@ void Progress::redraw(const std::vector<std::string>& lines) {
   drawn_ = lines.size();
 }
 
-void Progress::show(const TickRecord& record) {
+void DayProgress::show(const TickRecord& record) {
   watch_.add(record);
-  if (quiet_) {
-    return;
-  }
   DayState day = watch_.state();
   seen_.insert(day.faults.begin(), day.faults.end());
   const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
@@ -54,6 +58,13 @@ void Progress::show(const TickRecord& record) {
     seen_.clear();
     std::fprintf(stderr, "%s\n", live_line(title_, clock_, day, left).c_str());
   }
+}
+
+std::function<void(const TickRecord&)> shown_day(const Scenario& scenario, bool quiet) {
+  if (quiet) {
+    return {};
+  }
+  return [progress = std::make_shared<DayProgress>(scenario)](const TickRecord& record) { progress->show(record); };
 }
 
 }  // namespace evbal

@@ -1,9 +1,12 @@
 #pragma once
 
+#include "agents/protocol/tick_record.hpp"
 #include "common/clock.hpp"
 #include "experiments/progress/day_state.hpp"
+#include "experiments/scenario/scenario.hpp"
 
 #include <chrono>
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -12,10 +15,9 @@ namespace evbal {
 
 /// Shows on stderr how far a day has come: a few lines that renew themselves on a terminal, else one line every
 /// simulated hour.
-class Progress {
+class DayProgress {
  public:
-  /// `fault_names` by position in the schedule.
-  Progress(std::string title, DayClock clock, std::vector<std::string> fault_names, bool quiet);
+  explicit DayProgress(const Scenario& scenario);
 
   /// Takes the next tick.
   void show(const TickRecord& record);
@@ -25,12 +27,14 @@ class Progress {
 
   std::string title_;
   DayClock clock_;
-  bool quiet_;
   bool terminal_;
   std::size_t drawn_ = 0;  ///< lines above the cursor that are ours
   std::chrono::steady_clock::time_point start_;
   std::set<std::string> seen_;  ///< faults since the last of the lines by the hour
   DayWatch watch_;
 };
+
+/// What record_day tells of its ticks, shown; nothing if `quiet`.
+std::function<void(const TickRecord&)> shown_day(const Scenario& scenario, bool quiet);
 
 }  // namespace evbal

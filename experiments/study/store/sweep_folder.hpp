@@ -1,0 +1,34 @@
+#pragma once
+
+#include "common/folder_lock.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace evbal {
+
+/// What the files for the days are called in it (sweep_file.hpp).
+inline constexpr const char* sweep_file_name = "sweep.sqlite";
+inline constexpr const char* tuning_file_name = "tuning.sqlite";
+
+/// The folder that `evbal sweep` or `evbal tune` writes into, held by one process at a time. A sweep and the tuning
+/// that it needs first share it: each has a file of its own for its days.
+class SweepFolder {
+ public:
+  /// Made if it is missing. `file` is one of the names above. Throws Error{bad_input} if the folder holds
+  /// neither a sweep nor a tuning but something else, or if another process has it.
+  SweepFolder(std::filesystem::path folder, const std::string& file);
+
+  const std::filesystem::path& path() const { return folder_; }
+
+  /// The file of the days, with its folder.
+  const std::filesystem::path& file() const { return file_; }
+
+ private:
+  std::filesystem::path folder_;
+  std::filesystem::path file_;
+  std::optional<FolderLock> lock_;
+};
+
+}  // namespace evbal
