@@ -20,6 +20,7 @@ void write_file(const std::filesystem::path& file, std::string_view text);
 /// reason.
 class NewFile {
  public:
+  /// Nothing is written yet.
   explicit NewFile(const std::filesystem::path& file);
 
   /// Removes what was not kept.
@@ -27,6 +28,7 @@ class NewFile {
   NewFile(const NewFile&) = delete;
   NewFile& operator=(const NewFile&) = delete;
 
+  /// Adds text at the end.
   void write(std::string_view text);
 
   /// Puts the file in its place; nothing may be written after that.

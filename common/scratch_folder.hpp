@@ -13,6 +13,7 @@ class ScratchFolder {
   ScratchFolder(const ScratchFolder&) = delete;
   ScratchFolder& operator=(const ScratchFolder&) = delete;
 
+  /// The folder.
   const std::filesystem::path& path() const { return path_; }
 
  private:

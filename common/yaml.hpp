@@ -28,8 +28,11 @@ class YamlValue {
   /// Reads `text`; `name` stands for the file in messages.
   static YamlValue parse(const std::string& text, const std::string& name);
 
+  /// Whether it is a map.
   bool is_map() const;
+  /// Whether it is a list.
   bool is_list() const;
+  /// Whether it is a scalar.
   bool is_scalar() const;
 
   /// A text of one line, without control characters.
@@ -41,11 +44,14 @@ class YamlValue {
   /// A text after which files may be named (file_name_complaint in common/plain_text.hpp).
   std::string file_name() const;
 
+  /// A finite number.
   double number() const;
   double number(double low, double high) const;  ///< within [low, high]
+  /// A whole number.
   int integer() const;
   int integer(int low, int high) const;  ///< within [low, high]
   std::uint64_t seed() const;            ///< whole number in 0..2^64-1
+  /// True or false.
   bool boolean() const;
 
   /// "90min", "1.5h", "30s", "20ms" as minutes, not negative; "4.1h" is 246.
@@ -72,8 +78,11 @@ class YamlValue {
   /// What is wrong with `value` is then reported at its own place.
   YamlValue with(const std::string& path, const YamlValue& value) const;
 
+  /// An Error{bad_input} at its line.
   Error error(const std::string& message) const;
+  /// In the file, from 1.
   int line() const;
+  /// That it was read from.
   const std::string& file() const;
 
  private:
@@ -90,9 +99,10 @@ class YamlValue {
   std::vector<Setting> settings_;  ///< that stand in place of the node's own, or beside them
 };
 
+/// A key of a map, and its value.
 struct YamlValue::Setting {
   std::string path;  ///< below the value
-  YamlValue value;
+  YamlValue value;   ///< of the key
 };
 
 /// A YAML map whose keys are asked for by name. finish() refuses the keys that nobody asked for.
@@ -101,6 +111,7 @@ class YamlMap {
   /// Throws if `value` is no map or repeats a key.
   explicit YamlMap(const YamlValue& value);
 
+  /// The value of a key, if the map has it.
   std::optional<YamlValue> find(const std::string& key);
 
   /// Throws if the key is missing.
@@ -112,6 +123,7 @@ class YamlMap {
   /// Throws on the first key that was never asked for, naming those that were.
   void finish() const;
 
+  /// The map itself.
   const YamlValue& value() const { return value_; }
 
  private:

@@ -11,10 +11,10 @@ namespace evbal {
 
 /// A passenger who will appear: drawn before the day, the same for every controller.
 struct Passenger {
-  int appears = 0;   ///< minute
-  int patience = 0;  ///< minutes
-  int destination = 0;
-  int index = 0;  ///< position among the region's passengers; keys what faults draw for this one
+  int appears = 0;      ///< minute
+  int patience = 0;     ///< minutes
+  int destination = 0;  ///< region
+  int index = 0;        ///< position among the region's passengers; keys what faults draw for this one
 };
 
 /// The passengers of one region on the world's day, by (appears, index). Those whom the record has outside the clock's

@@ -26,6 +26,7 @@ class PackTable {
   /// Moves to the next row; false at the end.
   bool next();
 
+  /// A field of the row by its column.
   std::string_view text(std::size_t column) const;
   int integer(std::size_t column, int low, int high) const;          ///< within [low, high]
   double number(std::size_t column, double low, double high) const;  ///< within [low, high]

@@ -19,11 +19,11 @@ enum class DemandModel {
 
 /// Everything that the plants of one run share. Owned by the process; the plants point to it.
 struct World {
-  City city;  ///< with the scenario's overrides applied
-  DemandDay day;
-  DemandModel demand = DemandModel::recorded;
-  DayClock clock;
-  std::uint64_t seed = 0;
+  City city;                                   ///< with the scenario's overrides applied
+  DemandDay day;                               ///< that is played
+  DemandModel demand = DemandModel::recorded;  ///< how counts become passengers
+  DayClock clock;                              ///< hours, tick, step and plan_every
+  std::uint64_t seed = 0;                      ///< of all that is drawn
 };
 
 /// What bounds the messages of a run in this world.

@@ -9,6 +9,7 @@ struct Covariance {
   Eigen::VectorXd deviation;  ///< d, > 0
   Eigen::MatrixXd factors;    ///< d x rank
 
+  /// The whole matrix.
   Eigen::MatrixXd dense() const;
 };
 

@@ -8,9 +8,9 @@ namespace evbal {
 
 /// A pair of regions between which vehicles may be sent.
 struct Arc {
-  int from = 0;
-  int to = 0;
-  double km = 0.0;
+  int from = 0;     ///< region
+  int to = 0;       ///< region
+  double km = 0.0;  ///< of the way
 };
 
 /// Arcs for vacant cars, by (from, to): to regions nearer than `max_km`, at most `neighbours` nearest of them, and,

@@ -9,6 +9,7 @@ struct DiscreteDistribution {
   std::vector<double> values;         ///< ascending, at least one
   std::vector<double> probabilities;  ///< > 0, sum 1
 
+  /// The expected value.
   double mean() const;
 };
 

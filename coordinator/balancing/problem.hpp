@@ -32,7 +32,7 @@ struct BalancingParameters {
   double m2 = 15.0;          ///< km; low-battery cars likewise
   int neighbours = 12;       ///< at most so many nearest targets a region, beside its nearest region and station
   int tau = 2;               ///< steps in the horizon
-  Supply supply = Supply::completions;
+  Supply supply = Supply::completions;  ///< what J_E takes the supply to be
 };
 
 /// Vehicles as they stand when a plan is made; all N, in vehicles.
@@ -66,25 +66,25 @@ struct Turnover {
 
 /// Everything that a controller may know when it plans.
 struct PlanningData {
-  Eigen::MatrixXd km;  ///< N x N
-  FleetState state;
+  Eigen::MatrixXd km;                    ///< N x N
+  FleetState state;                      ///< the vehicles now
   Eigen::MatrixXd points;                ///< P, N x tau: working points per step
   MomentSet demand;                      ///< r
   Eigen::MatrixXd demand_samples;        ///< N tau x any: demand as it may come, each column equally likely
   MomentSet completions;                 ///< c, sessions that end in each step
   MomentSet free_points;                 ///< c of Supply::points, free by the end of each step
   std::vector<Transitions> transitions;  ///< tau of them
-  Turnover turnover;
-  double step_minutes = 30.0;          ///< Delta
-  double mean_session_minutes = 45.0;  ///< caps J_E's c_hat at P Delta / mean session
-  Eigen::MatrixXd minutes;             ///< N x N travel time (greedy only)
+  Turnover turnover;                     ///< of vehicles that serve twice in a step
+  double step_minutes = 30.0;            ///< Delta
+  double mean_session_minutes = 45.0;    ///< caps J_E's c_hat at P Delta / mean session
+  Eigen::MatrixXd minutes;               ///< N x N travel time (greedy only)
 };
 
 /// A planned flow of vehicles.
 struct Flow {
-  int from = 0;
-  int to = 0;
-  double amount = 0.0;
+  int from = 0;         ///< region
+  int to = 0;           ///< region
+  double amount = 0.0;  ///< vehicles
 };
 
 /// What a controller decides, per step of the horizon.
@@ -95,8 +95,8 @@ struct Dispatch {
 
 /// A plan and what it is worth.
 struct BalancingResult {
-  Dispatch dispatch;
-  Certificate certificate;
+  Dispatch dispatch;        ///< empty if no optimum was found
+  Certificate certificate;  ///< whether it is an optimum
   /// The objective by term, in km of empty driving, as formulation.hpp names them: "km", "queue", "release",
   /// "shortage", "surplus", "utilisation", "penalty". They sum to certificate.objective but for rounding; none if
   /// nothing was solved.

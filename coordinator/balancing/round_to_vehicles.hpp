@@ -9,9 +9,9 @@ namespace evbal {
 
 /// Vehicles to send, at least one.
 struct VehicleFlow {
-  int from = 0;
-  int to = 0;
-  int vehicles = 0;
+  int from = 0;      ///< region
+  int to = 0;        ///< region
+  int vehicles = 0;  ///< at least 1
 };
 
 /// Flows as whole vehicles, by (from, to): each origin sends its rounded total, at most what it has, to the targets of

@@ -36,10 +36,10 @@ using OwnShortage =
 
 /// How the controllers of one problem differ (docs/model.md, section 4).
 struct FormulationOptions {
-  Shortage shortage = Shortage::band;
-  Uncertainty demand = Uncertainty::mean;
-  Uncertainty supply = Uncertainty::mean;
-  OwnShortage own{};  ///< of Shortage::own, whose demand is not `counts`
+  Shortage shortage = Shortage::band;      ///< how it is priced
+  Uncertainty demand = Uncertainty::mean;  ///< of r
+  Uncertainty supply = Uncertainty::mean;  ///< of c
+  OwnShortage own{};                       ///< of Shortage::own, whose demand is not `counts`
 };
 
 /// Forecasts as the balancing problem uses them; matrices are N x tau, laws stand step-major.

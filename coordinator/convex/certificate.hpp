@@ -20,14 +20,15 @@ enum class SolveStatus {
 
 /// How a solve ended and what it is worth. Only an optimal one may be used.
 struct Certificate {
-  SolveStatus status = SolveStatus::failed;
-  std::string reason;  ///< why it is not optimal, in words; empty if it is
-  double objective = 0.0;
-  double lower_bound = 0.0;    ///< -infinity where the engine gives none
-  double gap = 0.0;            ///< (objective - lower_bound) / max(1, |objective - penalty|)
-  double max_violation = 0.0;  ///< recomputed from the program, not the solver's word
-  int iterations = 0;
+  SolveStatus status = SolveStatus::failed;  ///< how the solve ended
+  std::string reason;                        ///< why it is not optimal, in words; empty if it is
+  double objective = 0.0;                    ///< at the point
+  double lower_bound = 0.0;                  ///< -infinity where the engine gives none
+  double gap = 0.0;                          ///< (objective - lower_bound) / max(1, |objective - penalty|)
+  double max_violation = 0.0;                ///< recomputed from the program, not the solver's word
+  int iterations = 0;                        ///< of the engine
 
+  /// Whether the point is a certified optimum.
   bool optimal() const { return status == SolveStatus::optimal; }
 };
 

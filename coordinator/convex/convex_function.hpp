@@ -9,8 +9,8 @@ class ConvexFunction {
  public:
   /// The function near a point.
   struct Expansion {
-    double value = 0.0;
-    double slope = 0.0;
+    double value = 0.0;      ///< of the function
+    double slope = 0.0;      ///< first derivative
     double curvature = 0.0;  ///< >= 0
   };
 
@@ -23,6 +23,7 @@ class ConvexFunction {
   virtual Expansion around(double at) const = 0;
 };
 
+/// A function that several rows may share.
 using ConvexFunctionPtr = std::shared_ptr<const ConvexFunction>;
 
 /// y -> (y + eps)^(-a) for y >= 0 (docs/model.md, section 2; paper, [quality_charging_one]); a > 0, eps > 0.

@@ -27,9 +27,9 @@ struct NormTerm {
 
 /// above >= function(of)
 struct CurveRow {
-  int above = 0;
-  int of = 0;
-  ConvexFunctionPtr function;
+  int above = 0;               ///< variable that bounds the function from above
+  int of = 0;                  ///< variable that the function is of
+  ConvexFunctionPtr function;  ///< the function
 };
 
 /// How far a point is from satisfying a program, and where: "supply[3], step 1", "upper bound of u[0], step 0",
@@ -42,8 +42,8 @@ struct Violation {
 
 /// A part of the objective, and its value at some point.
 struct CostTerm {
-  std::string name;
-  double cost = 0.0;
+  std::string name;   ///< as minimise() was given it
+  double cost = 0.0;  ///< in the unit of the objective
 };
 
 /// A convex program, for whichever engine:
@@ -59,13 +59,14 @@ struct CostTerm {
 /// Rows are sparse, stored one after another with ascending variables.
 class ConvexProgram {
  public:
+  /// No bound.
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
   /// Variables added together.
   struct Block {
-    Name name;  ///< of the first; the others of several count on from it
-    int first = 0;
-    int size = 0;
+    Name name;      ///< of the first; the others of several count on from it
+    int first = 0;  ///< index of the first
+    int size = 0;   ///< number of variables
   };
 
   /// `unit` is what variables and rows are measured in, for messages: "vehicles".
@@ -95,28 +96,44 @@ class ConvexProgram {
   Variable minimise_curve(std::string_view term, double price, Variable of, ConvexFunctionPtr function,
                           const Name& name);
 
+  /// Adds a norm to the objective.
   void minimise_norm(std::string_view term, NormTerm norm);
 
   /// Cost that keeps the program feasible, the term "penalty"; left out of the scale of a relative gap.
   void penalise(const Expression& cost);
 
+  /// Number of variables.
   int variables() const { return static_cast<int>(cost_.size()); }
+  /// Number of linear rows.
   int rows() const { return static_cast<int>(row_low_.size()); }
+  /// All variables, in the order of their indices.
   const std::vector<Block>& blocks() const { return blocks_; }
+  /// Bounds by variable.
   const std::vector<double>& lower() const { return lower_; }
+  /// Bounds by variable.
   const std::vector<double>& upper() const { return upper_; }
+  /// Linear cost by variable.
   const std::vector<double>& cost() const { return cost_; }
+  /// Constant part of the objective.
   double constant() const { return constant_; }
   const std::vector<int>& row_start() const { return row_start_; }  ///< rows() + 1
+  /// The rows' entries, row after row.
   const std::vector<Expression::Term>& entries() const { return entries_; }
+  /// Lower sides by row.
   const std::vector<double>& row_low() const { return row_low_; }
+  /// Upper sides by row.
   const std::vector<double>& row_high() const { return row_high_; }
+  /// Rows with convex functions.
   const std::vector<CurveRow>& curves() const { return curves_; }
+  /// Norms of the objective.
   const std::vector<NormTerm>& norms() const { return norms_; }
 
+  /// The name of a variable.
   Name name_of(Variable variable) const;
+  /// The name of a linear row.
   const Name& name_of_row(int row) const { return row_names_[row]; }
 
+  /// The objective at a point.
   double objective(const Eigen::VectorXd& x) const;
 
   /// The objective by term, in the order in which terms were first named, a penalty last. The sum is objective(x) but

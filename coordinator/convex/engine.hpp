@@ -12,9 +12,10 @@ namespace evbal {
 
 struct EngineSettings;
 
+/// A point, and what is known of it.
 struct Solution {
-  Eigen::VectorXd x;  ///< within its bounds; empty if the engine failed
-  Certificate certificate;
+  Eigen::VectorXd x;        ///< within its bounds; empty if the engine failed
+  Certificate certificate;  ///< whether it is an optimum
 };
 
 /// Solves a program, or says in the certificate why not.
@@ -23,9 +24,9 @@ using Engine = std::function<Solution(const ConvexProgram&, const EngineSettings
 /// Which engine solves, and how much work it may spend. Never a wall clock: results must not depend on the machine's
 /// speed.
 struct EngineSettings {
-  std::string name = "ipopt";
-  int max_iterations = 300;  ///< of the engine's own kind: Newton steps of `ipopt`, linear programs of `cuts`
-  Engine own = {};           ///< solves in place of the engine of that name, where given
+  std::string name = "ipopt";  ///< one of engine_names()
+  int max_iterations = 300;    ///< of the engine's own kind: Newton steps of `ipopt`, linear programs of `cuts`
+  Engine own = {};             ///< solves in place of the engine of that name, where given
 };
 
 /// Solves a program. Never throws for what the program holds: a failure is a certificate that says why, and so is a
@@ -36,6 +37,7 @@ struct EngineSettings {
 /// of their own instead.
 Solution solve(const ConvexProgram& program, const EngineSettings& settings);
 
+/// The engines that there are.
 std::vector<std::string> engine_names();
 
 }  // namespace evbal

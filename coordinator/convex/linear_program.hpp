@@ -19,16 +19,23 @@ class LinearProgram {
   /// A further column, by its position.
   int add_column(double lower, double upper, double cost);
 
+  /// Sets the bounds of a column.
   void bound(int column, double lower, double upper);
+  /// Adds to a column's cost.
   void add_cost(int column, double cost) { cost_[static_cast<std::size_t>(column)] += cost; }
+  /// Adds to the objective's constant.
   void add_constant(double cost) { constant_ += cost; }
+  /// Of a column.
   double cost(int column) const { return cost_[static_cast<std::size_t>(column)]; }
 
   /// Adds to the row that is being written; end_row() ends it.
   void add(int column, double coefficient);
+  /// Ends the row of the entries added since the last one.
   void end_row(double low, double high = ConvexProgram::infinity);
 
+  /// Number of columns.
   int columns() const { return static_cast<int>(cost_.size()); }
+  /// Number of rows.
   int rows() const { return static_cast<int>(row_low_.size()); }
 
   /// Why Clp may not be given this program: names the first number that is not finite or beyond `largest_number`, on

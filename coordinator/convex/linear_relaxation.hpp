@@ -27,6 +27,7 @@ class LinearRelaxation {
   /// norm. `program` must outlive this, and has no other bound on what stands above a curve than the curve.
   explicit LinearRelaxation(const ConvexProgram& program);
 
+  /// What a solve came to.
   struct Outcome {
     std::string why_not;       ///< there is no optimum, empty if there is
     double lower_bound = 0.0;  ///< of the program's optimum

@@ -27,7 +27,9 @@ class Tangents {
   /// Adds tangents between those that enclose a slope, and in the gaps on both sides.
   void add_around(double slope);
 
+  /// The function at the lower bound.
   double value_at_lower() const;
+  /// The linear pieces, from the lower bound on.
   std::vector<Piece> pieces() const;
 
  private:

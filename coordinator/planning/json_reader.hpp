@@ -22,14 +22,22 @@ nlohmann::json parse_json(const std::string& text, const std::string& name);
 /// Everything that does not fit throws Error{bad_input} as "file: key: what would be right".
 class JsonObject {
  public:
+  /// `place` says where in the file it stands, for messages.
   JsonObject(const nlohmann::json& value, std::string file, std::string place);
 
+  /// An object.
   JsonObject object(const std::string& key);
+  /// A list of objects.
   std::vector<JsonObject> objects(const std::string& key);
+  /// A text.
   std::string text(const std::string& key);
+  /// A list of texts.
   std::vector<std::string> texts(const std::string& key);
+  /// A whole number in [low, high].
   int integer(const std::string& key, int low, int high);
+  /// A number in [low, high].
   double number(const std::string& key, double low, double high);
+  /// A list of numbers in [low, high].
   std::vector<double> numbers(const std::string& key, double low, double high);
 
   /// A list of `rows` lists of `columns` numbers.
@@ -38,7 +46,9 @@ class JsonObject {
   /// The same where only the number of rows is known.
   Eigen::MatrixXd matrix(const std::string& key, Eigen::Index rows, double low, double high);
 
+  /// Throws Error{bad_input} if there are keys that nobody asked for.
   void finish() const;
+  /// An Error{bad_input} at a key.
   Error error(const std::string& key, const std::string& message) const;
 
  private:

@@ -16,7 +16,7 @@ std::filesystem::path twin_folder(const std::filesystem::path& folder);
 /// What the faults cost by one metric.
 struct MetricCost {
   std::string metric;  ///< a column of steps.csv
-  FaultCost cost;
+  FaultCost cost;      ///< of all faults
 };
 
 /// What the faults of `run` cost, of each of costed_metrics(). `twin` is of the same clock.

@@ -15,12 +15,14 @@ namespace evbal {
 
 /// One column of a row of run.sqlite.
 struct Cell {
-  std::string name;
-  std::variant<std::int64_t, double, std::string> value;
+  std::string name;                                       ///< of the column
+  std::variant<std::int64_t, double, std::string> value;  ///< in the column
 };
 
+/// The cells of a row, in the order of the columns.
 using Row = std::vector<Cell>;
 
+/// As schedules write it.
 inline const std::string& word(EffectType type) {
   return fault_type(type).name;
 }
@@ -28,8 +30,10 @@ inline const std::string& word(EffectType type) {
 /// Appends the columns of a message to a row (day_file.hpp says which).
 class RowWriter {
  public:
+  /// Adds cells to `row`, whose names begin with `prefix`.
   explicit RowWriter(Row& row, std::string prefix = "") : row_(row), prefix_(std::move(prefix)) {}
 
+  /// Adds a field.
   template <class Field>
   void operator()(std::string_view name, const Field& field) {
     const std::string column = prefix_ + std::string(name);

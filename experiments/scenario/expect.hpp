@@ -12,13 +12,15 @@ namespace evbal {
 struct Expect {
   std::string metric;   ///< one of expectable_metrics()
   bool at_most = true;  ///< else at least
-  double bound = 0.0;
+  double bound = 0.0;   ///< on the metric
 
+  /// Whether a value keeps the bound.
   bool holds(double value) const { return at_most ? value <= bound : value >= bound; }
 
   /// "at most 900"
   std::string words() const;
 
+  /// Field by field.
   bool operator==(const Expect&) const = default;
 };
 

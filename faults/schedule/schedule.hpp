@@ -15,26 +15,27 @@ namespace evbal {
 
 /// What a schedule may refer to: the simulated day, and the regions by their charging points.
 struct FaultContext {
-  DayClock clock;
-  std::vector<int> points_per_region;
+  DayClock clock;                      ///< of the run
+  std::vector<int> points_per_region;  ///< installed
 };
 
 /// One fault, drawn: nothing about it is open any more.
 struct Fault {
-  std::string name;  ///< unique in its schedule
-  EffectType type = EffectType::demand_scale;
-  std::vector<int> regions;        ///< ascending; {no_region} if it acts on none
-  std::vector<double> magnitudes;  ///< one for each region, see EffectType; 0 for types that have none
-  int start = 0;                   ///< minute
-  int duration = 0;                ///< minutes, at least 1
-  int ramp = 0;                    ///< minutes of rise at the start and of fall at the end
-  OnStart on_start = OnStart::drain;
-  bool visible = true;
-  int to = no_region;  ///< see Effect, as the next three
-  ReportField field = ReportField::none;
-  ProcessRole process = ProcessRole::agent;
-  NetworkTopic topic = NetworkTopic::all;
+  std::string name;                            ///< unique in its schedule
+  EffectType type = EffectType::demand_scale;  ///< what it does
+  std::vector<int> regions;                    ///< ascending; {no_region} if it acts on none
+  std::vector<double> magnitudes;              ///< one for each region, see EffectType; 0 for types that have none
+  int start = 0;                               ///< minute
+  int duration = 0;                            ///< minutes, at least 1
+  int ramp = 0;                                ///< minutes of rise at the start and of fall at the end
+  OnStart on_start = OnStart::drain;           ///< cars at points that fail
+  bool visible = true;                         ///< whether reports and forecasters are told
+  int to = no_region;                          ///< see Effect, as the next three
+  ReportField field = ReportField::none;       ///< of sensor faults
+  ProcessRole process = ProcessRole::agent;    ///< of process faults
+  NetworkTopic topic = NetworkTopic::all;      ///< of network faults
 
+  /// Field by field.
   bool operator==(const Fault&) const = default;
 };
 
@@ -43,16 +44,18 @@ struct Guard {
   int max_active = 1000;       ///< faults at a time
   int min_working_points = 0;  ///< charging points of the whole city
 
+  /// Field by field.
   bool operator==(const Guard&) const = default;
 };
 
 /// A drawn schedule. Faults are in the order of the request, repetitions of one by time; an Effect refers to them by
 /// position. No two of a type touch one region (or field of its report, or topic) at a time, no two one process.
 struct Schedule {
-  std::uint64_t seed = 0;
-  Guard guard;
-  std::vector<Fault> faults;
+  std::uint64_t seed = 0;     ///< that it was drawn from
+  Guard guard;                ///< limits that it keeps
+  std::vector<Fault> faults;  ///< see above for their order
 
+  /// Field by field.
   bool operator==(const Schedule&) const = default;
 };
 
@@ -74,11 +77,13 @@ Faults faults_at(const Schedule& schedule, const DayClock& clock, int tick);
 /// Ticks [first, last) in which a fault acts: from the tick nearest to its start to the one nearest to its end, at
 /// least one. `last` may lie beyond the day.
 struct TickWindow {
-  int first = 0;
-  int last = 0;
+  int first = 0;  ///< tick
+  int last = 0;   ///< tick after the last
 
+  /// Whether a tick lies within.
   bool holds(int tick) const { return first <= tick && tick < last; }
 };
+/// The ticks during which a fault is active.
 TickWindow tick_window(const Fault& fault, const DayClock& clock);
 
 }  // namespace evbal

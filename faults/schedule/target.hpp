@@ -13,12 +13,12 @@ namespace evbal {
 
 /// Regions to choose from, and how many are chosen: all of them without `pick`.
 struct Target {
-  std::vector<int> candidates;   ///< ascending; {no_region} for coordinator, injector and engine
-  std::optional<Quantity> pick;  ///< how many, or the share of them
-  bool share = false;
-  ReportField field = ReportField::none;
-  ProcessRole process = ProcessRole::agent;
-  NetworkTopic topic = NetworkTopic::all;
+  std::vector<int> candidates;               ///< ascending; {no_region} for coordinator, injector and engine
+  std::optional<Quantity> pick;              ///< how many, or the share of them
+  bool share = false;                        ///< whether `pick` is a share
+  ReportField field = ReportField::none;     ///< of sensor faults
+  ProcessRole process = ProcessRole::agent;  ///< of process faults
+  NetworkTopic topic = NetworkTopic::all;    ///< of network faults
 };
 
 /// Reads the key `target` of an entry, which faults of the engine do not have. Throws Error{bad_input} with what would

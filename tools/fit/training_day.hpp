@@ -14,9 +14,9 @@ namespace evbal {
 struct TrainingDay {
   Eigen::MatrixXd completions;                ///< N x steps: charging sessions that ended charged
   std::vector<TransitionCounts> transitions;  ///< by period: that in which the step started
-  int served = 0;
-  int lost = 0;
-  double idle_km = 0.0;  ///< driven without passengers
+  int served = 0;                             ///< passengers
+  int lost = 0;                               ///< passengers
+  double idle_km = 0.0;                       ///< driven without passengers
 };
 
 /// The period that holds `minute` after midnight, of those that begin at `starts`, ascending; the first before that.

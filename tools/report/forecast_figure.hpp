@@ -10,13 +10,13 @@ namespace evbal {
 /// What a day brought to the whole city in each step, and what was forecast of it one step before (paper, the figure of
 /// ARIMA's prediction against history).
 struct ForecastFigure {
-  std::string title;
-  std::string note;
-  std::string unit;
-  int start = 0;  ///< minute after midnight at which the day starts
-  int step_minutes = 0;
-  Eigen::VectorXd observed;
-  Eigen::VectorXd forecast;
+  std::string title;          ///< above the figure
+  std::string note;           ///< below it
+  std::string unit;           ///< of the counts
+  int start = 0;              ///< minute after midnight at which the day starts
+  int step_minutes = 0;       ///< length of a step
+  Eigen::VectorXd observed;   ///< by step
+  Eigen::VectorXd forecast;   ///< by step, made one step before
   Eigen::VectorXd deviation;  ///< standard deviation of the forecast's error, by the model
 };
 

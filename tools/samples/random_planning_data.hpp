@@ -8,13 +8,14 @@ namespace evbal {
 
 /// Size and mean values of a random city.
 struct DataShape {
+  /// N.
   int regions = 5;
-  int tau = 2;
-  int rank = 2;  ///< of the covariances' factors
-  double vehicles_per_region = 10.0;
-  double demand_scale = 1.0;   ///< on the expected passengers
-  double station_share = 0.4;  ///< of the regions; the first always has one, unless this is 0
-  int out_degree = 0;          ///< cars reach a region itself and so many nearest in a step; 0: every region
+  int tau = 2;                        ///< steps
+  int rank = 2;                       ///< of the covariances' factors
+  double vehicles_per_region = 10.0;  ///< vacant
+  double demand_scale = 1.0;          ///< on the expected passengers
+  double station_share = 0.4;         ///< of the regions; the first always has one, unless this is 0
+  int out_degree = 0;                 ///< cars reach a region itself and so many nearest in a step; 0: every region
 };
 
 /// A random city at a random moment, which validate() accepts; the same for the same seed and shape.
