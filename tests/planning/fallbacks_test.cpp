@@ -24,7 +24,7 @@ struct SolvesOnce {
 
   BalancingResult operator()(const std::string&, const PlanningData&, const EngineSettings&) const {
     BalancingResult result;
-    result.certificate.optimal = !std::exchange(*solved, true);
+    result.certificate.status = std::exchange(*solved, true) ? SolveStatus::failed : SolveStatus::optimal;
     result.dispatch.vacant = {{{0, 1, 2.0}}, {{1, 2, 3.0}}};
     return result;
   }

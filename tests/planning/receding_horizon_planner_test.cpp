@@ -104,8 +104,7 @@ TEST(RecedingHorizonPlanner, InflatesTheSetWhereForecastsAreOff) {
     if (tick > 10 && tick <= 22) {
       announced.effects = {{.type = EffectType::demand_add, .region = 1, .magnitude = 72.0}};
     }
-    EXPECT_EQ(told.plan(announced, reports).provenance.demand_widened, 1.0)
-        << "what is announced raises no alarm";
+    EXPECT_EQ(told.plan(announced, reports).provenance.demand_widened, 1.0) << "what is announced raises no alarm";
     const Provenance made = planner.plan(at(tick), reports).provenance;
     const Eigen::VectorXd factor = spy.seen->demand.standard_deviation().cwiseQuotient(at_day_start);
     EXPECT_NEAR(factor.maxCoeff(), made.demand_widened, 1e-12);

@@ -1,6 +1,5 @@
-#include "experiments/study/statistics/page_markdown.hpp"
-
 #include "common/error.hpp"
+#include "experiments/study/statistics/page_markdown.hpp"
 
 #include <gtest/gtest.h>
 
@@ -93,6 +92,22 @@ TEST(Page, PricesDays) {
                                variants);
   expect_in("| toy | calm | new | 115 ± 4.97 |", page_markdown(asked, small_sweep(), ""));
   EXPECT_THROW(read("- {title: B, means: {variants: [new], metrics: [objective]}}\n"), Error);
+}
+
+TEST(Page, KeepsItsTablesWhateverScenariosAndFaultsAreCalled) {
+  std::vector<FinishedDay> days = small_sweep();
+  for (auto& day : days) {
+    day.scenario = "rush|hour";
+    day.faults = "a|b";
+    day.settings["price"] = "[1|2]";
+  }
+  const std::string text = page_markdown(
+      read("- {title: A, means: {variants: [new], metrics: [lost]}}\n- {title: B, settings: {variants: [ref]}}\n"
+           "- {title: C, compare: {variants: [new], against: [ref], metrics: [lost], at: idle_km}}\n"),
+      days, "");
+  expect_in("| rush\\|hour | a\\|b | new | 50.0 ± 2.48 |", text);
+  expect_in("| rush\\|hour | ref | ratio | `price` \\[1\\|2\\] |", text);
+  expect_in("| rush\\|hour | a\\|b | new | ref | lost |", text);
 }
 
 TEST(Page, RefusesWhatItDoesNotKnow) {

@@ -117,6 +117,18 @@ TEST_F(SweepFileOf3, TakesOverResultsOfOtherFilesOnce) {
   EXPECT_EQ(swept_steps_csv(file_), steps);
 }
 
+TEST_F(SweepFileOf3, QuotesNames) {
+  Sweep sweep = small_sweep();
+  sweep.days[0].scenario = "rush, hour";
+  sweep.days[0].faults = "\"a\"";
+  sweep.days[0].settings["x"] = "b\rc";
+  begin_sweep(file_, sweep, {"k1", "k1", "k1"});
+  add("k1", 10);
+  const std::string days = swept_days_csv(file_);
+  EXPECT_NE(days.find("\n1,\"rush, hour\",a,ratio,\"\"\"a\"\"\",2024-01-11,1,10,\"b\rc\",0.1,"), std::string::npos)
+      << days;
+}
+
 TEST_F(SweepFileOf3, RefusesAnotherFile) {
   folder_.write("sweep.sqlite", "dear diary");
   EXPECT_THROW(begin_sweep(file_, small_sweep(), {"k1", "k2", "k3"}), Error);

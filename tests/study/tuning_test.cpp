@@ -96,6 +96,22 @@ TEST_F(TuningOfToy, GivesEachVariantTheSameDaysAndKeepsTheBest) {
   EXPECT_EQ(tuned.at({"base", "t"}).settings.at(0).value.number(), 5.657);
 }
 
+TEST_F(TuningOfToy, IsWrittenWhateverScenariosAndSettingsAreCalled) {
+  const std::string odd = "rush: \"hour\", #1";
+  std::string text = head + "candidates: 2\nvariants:\n  - {controller: ratio, settings: {engine: \"a, 'b': #c\"}, " +
+                     "search: {balancing.p_ratio: {from: 1, to: 100}}}\n";
+  const std::string one = "scenario: base.yaml";
+  text.replace(text.find(one), one.size(), "scenarios: {'" + odd + "': base.yaml}");
+  const Tuning tuning = read(text);
+  const auto contests = contests_of(tuning);
+  const Folder folder;
+  const Tuned tuned = read_tuned(folder.write("tuned.yaml", tuned_yaml(winners(tuning, contests))));
+  ASSERT_TRUE(tuned.contains({odd, "ratio"}));
+  EXPECT_EQ(shown(tuned.at({odd, "ratio"}).settings.at(0).value), "a, 'b': #c");
+  const std::string csv = candidates_csv(tuning, contests);
+  EXPECT_NE(csv.find("\n\"rush: \"\"hour\"\", #1\",ratio,1,"), std::string::npos) << csv;
+}
+
 TEST_F(TuningOfToy, MayBeCutShort) {
   const Tuning tuning = read(head + "candidates: 8\n" + two_variants, true);
   EXPECT_EQ(contests_of(tuning).front().candidates.size(), 4U);

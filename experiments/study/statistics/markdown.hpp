@@ -1,7 +1,5 @@
 #pragma once
 
-#include "experiments/study/design/finished_day.hpp"
-#include "experiments/study/design/page.hpp"
 #include "experiments/study/statistics/intervals.hpp"
 
 #include <cstddef>
@@ -31,8 +29,5 @@ std::string header(const Words& cells, std::size_t left);
 
 /// Whether one of the words is `word`.
 bool contains(const Words& words, const std::string& word);
-
-/// The table of a comparison, what it shows by one rule for all, and which aims it reaches.
-std::string compared(const CompareSection& section, const std::vector<FinishedDay>& days);
 
 }  // namespace evbal

@@ -1,3 +1,6 @@
+#include "experiments/study/statistics/page_comparison.hpp"
+
+#include "common/table_text.hpp"
 #include "experiments/study/statistics/comparison.hpp"
 #include "experiments/study/statistics/markdown.hpp"
 
@@ -24,8 +27,8 @@ struct Answer {
   Compared row;
 
   std::string who() const {
-    return "`" + row.variant + "` against `" + question.reference + "`, " + question.metric + ", " + row.scenario +
-           (row.faults.empty() ? "" : " " + row.faults);
+    return "`" + row.variant + "` against `" + question.reference + "`, " + question.metric + ", " +
+           markdown_cell(row.scenario) + (row.faults.empty() ? "" : " " + markdown_cell(row.faults));
   }
 };
 
@@ -131,7 +134,8 @@ std::string compared(const CompareSection& section, const std::vector<FinishedDa
   }
   std::string text = header(names, left);
   for (const auto& [question, row] : answers) {
-    Words cells = {row.scenario, row.faults, row.variant, question.reference, question.metric};
+    Words cells = {markdown_cell(row.scenario), markdown_cell(row.faults), row.variant, question.reference,
+                   question.metric};
     if (section.at) {
       cells.push_back(row.pairs > 0 ? rounded(row.at) : "");
     }

@@ -1,7 +1,9 @@
 #include "experiments/study/statistics/page_markdown.hpp"
 
+#include "common/table_text.hpp"
 #include "experiments/study/statistics/intervals.hpp"
 #include "experiments/study/statistics/markdown.hpp"
+#include "experiments/study/statistics/page_comparison.hpp"
 #include "experiments/study/statistics/ranks.hpp"
 
 #include <algorithm>
@@ -34,7 +36,7 @@ std::string means(const MeansSection& section, const std::vector<FinishedDay>& d
   names.insert(names.end(), section.metrics.begin(), section.metrics.end());
   std::string text = header(names, 3);
   for (const auto& [group, of_group] : grouped(days, section.variants)) {
-    Words cells = {std::get<0>(group), std::get<1>(group), std::get<2>(group)};
+    Words cells = {markdown_cell(std::get<0>(group)), markdown_cell(std::get<1>(group)), std::get<2>(group)};
     for (const auto& metric : section.metrics) {
       std::vector<DayValue> values;
       values.reserve(of_group.size());
@@ -65,7 +67,7 @@ std::string correlated(const CorrelateSection& section, const std::vector<Finish
   names.insert(names.end(), section.metrics.begin(), section.metrics.end());
   std::string text = header(names, 2);
   for (const auto& [scenario, faults] : rows) {
-    Words cells = {scenario, faults};
+    Words cells = {markdown_cell(scenario), markdown_cell(faults)};
     for (const auto& metric : section.metrics) {
       std::vector<DayValue> values;
       for (const auto& [replication, points] : replications) {
@@ -97,10 +99,10 @@ std::string settings(const SettingsSection& section, const std::vector<FinishedD
     std::string list;
     for (const auto& [path, value] : day.settings) {
       if (!value.empty()) {
-        list.append(list.empty() ? "`" : ", `").append(path).append("` ").append(value);
+        list.append(list.empty() ? "`" : ", `").append(path).append("` ").append(markdown_cell(value));
       }
     }
-    text += table_row({day.scenario, day.variant, day.controller, list});
+    text += table_row({markdown_cell(day.scenario), day.variant, day.controller, list});
   }
   return text;
 }
@@ -115,7 +117,7 @@ std::string listed(const std::vector<FinishedDay>& days, const Value& value) {
   }
   std::string text;
   for (const auto& name : names) {
-    text += (text.empty() ? "" : ", ") + name;
+    text += (text.empty() ? "" : ", ") + markdown_cell(name);
   }
   return text;
 }
