@@ -50,7 +50,7 @@ class ChildProcess {
   Pipe to_;
   Pipe from_;
   std::atomic<bool> ending_ = false;
-  std::mutex mutex_;   ///< for all that follows; held for a moment at a time
+  std::mutex mutex_;   ///< for all but ending_; held for a moment at a time
   pid_t id_ = 0;       ///< 0 once it has ended
   std::string heard_;  ///< and not yet read
   int lines_read_ = 0;

@@ -7,16 +7,16 @@
 #include <string>
 #include <vector>
 
-/// What the processes of a run journal (common/journal.hpp), as to_bytes writes it.
+/// The entries of the journals that the processes of a run keep (journal.hpp), as to_bytes writes them.
 namespace evbal {
 
-/// What an agent was told in a tick.
+/// An agent's entry: what it was told in a tick.
 struct AgentEntry {
   Tick tick;               ///< as far as it concerns the agent's regions
-  std::vector<Plan> plan;  ///< one where a plan was due
+  std::vector<Plan> plan;  ///< one if a plan was due and came, else none
 };
 
-/// A plan that the coordinator made.
+/// The coordinator's entry: a plan that it made, and from what.
 struct CoordinatorEntry {
   Tick tick;                    ///< that was due
   std::vector<Report> reports;  ///< that had come
@@ -33,7 +33,7 @@ inline Tick for_regions(Tick tick, int first, int last) {
   return tick;
 }
 
-/// The same of a plan.
+/// The plan without the moves that start outside of [first, last].
 inline Plan for_regions(Plan plan, int first, int last) {
   std::erase_if(plan.moves, [&](const Move& move) { return move.from < first || move.from > last; });
   return plan;

@@ -30,12 +30,12 @@ std::vector<std::string> arguments(const ProcessOptions& options);
 int run_process(int argc, char** argv, const std::string& description,
                 const std::function<void(const ProcessOptions&, Participant&)>& body);
 
-/// What this process does before it ends because its standard input has ended, as long as the object lives. It is done
-/// in another thread than main's, which goes on meanwhile. The conductor kills whoever takes more than
-/// `time_for_farewell`. One at a time.
+/// As long as the object lives, this process calls a function of ours before it ends because its standard input has
+/// ended. It is called in another thread than main's, which goes on meanwhile; the conductor kills whoever takes longer
+/// than `time_for_farewell`. There may be one such object at a time.
 class Farewell {
  public:
-  /// `say` is what it does.
+  /// `say` is called.
   explicit Farewell(std::function<void()> say);
   ~Farewell();
   Farewell(const Farewell&) = delete;

@@ -123,8 +123,7 @@ void LossyNetwork::add_host() {
 }
 
 void LossyNetwork::close_all() {
-  setns(original_,
-        CLONE_NEWNET);  // refused without privilege: it is an empty network then that this process is left in
+  setns(original_, CLONE_NEWNET);  // fails without privilege: this process stays in the network, which is empty then
   close(original_);
   for (const auto& end : ends_) {
     close(end.file);

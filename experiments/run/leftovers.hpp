@@ -6,14 +6,14 @@
 
 namespace evbal {
 
-/// Something of a run that is no more.
+/// Something that a run which has broken off left behind.
 struct Leftover {
   std::string what;              ///< "evbal-agent (process 4711) of run 4700-123"
   std::function<void()> remove;  ///< if it is still what it was; throws Error{run_failed} if it cannot be removed
 };
 
-/// What runs left over that did not end by themselves: their processes, and below runs/ here the journals that only a
-/// run which goes on has any use for.
+/// What is left of runs that broke off: their processes on this machine, and their journals in the folder runs/ of the
+/// current directory, which nothing will read any more. What cannot be read is passed over.
 std::vector<Leftover> find_leftovers();
 
 }  // namespace evbal

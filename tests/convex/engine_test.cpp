@@ -13,7 +13,7 @@
 namespace evbal {
 namespace {
 
-class EveryEngine : public ::testing::TestWithParam<std::string> {
+class EachEngine : public ::testing::TestWithParam<std::string> {
  protected:
   Solution solved(const ConvexProgram& program) const { return solve(program, {.name = GetParam()}); }
 
@@ -25,7 +25,7 @@ class EveryEngine : public ::testing::TestWithParam<std::string> {
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(Engine, EveryEngine, ::testing::ValuesIn(engine_names()));
+INSTANTIATE_TEST_SUITE_P(Engine, EachEngine, ::testing::ValuesIn(engine_names()));
 
 // A curve of the test's own.
 class Curve final : public ConvexFunction {
@@ -61,7 +61,7 @@ ConvexProgram linear(double price, double coefficient, double side, double const
   return program;
 }
 
-TEST_P(EveryEngine, RefusesNumbersThatNoSolverTakes) {
+TEST_P(EachEngine, RefusesNumbersThatNoSolverTakes) {
   for (const double wrong : {1e25, -1e25, 1e100, 1e300}) {
     EXPECT_TRUE(why_not(linear(wrong, 1.0, 1.0)).starts_with("cost of variable 0")) << wrong;
     EXPECT_TRUE(why_not(linear(1.0, wrong, 1.0)).starts_with("coefficient of variable 0")) << wrong;
@@ -76,7 +76,7 @@ TEST_P(EveryEngine, RefusesNumbersThatNoSolverTakes) {
   }
 }
 
-TEST_P(EveryEngine, TakesTheLargestNumbers) {
+TEST_P(EachEngine, TakesTheLargestNumbers) {
   for (const double large : {1e10, 1e19}) {
     EXPECT_NO_FATAL_FAILURE(solved(linear(large, 1.0, 1.0)));
     EXPECT_NO_FATAL_FAILURE(solved(linear(1.0, large, 1.0)));
@@ -84,7 +84,7 @@ TEST_P(EveryEngine, TakesTheLargestNumbers) {
   }
 }
 
-TEST_P(EveryEngine, RefusesANormThatIsNoNumber) {
+TEST_P(EachEngine, RefusesANormThatIsNoNumber) {
   for (const double wrong : {1e300, std::numeric_limits<double>::infinity()}) {
     for (const bool weight : {false, true}) {
       ConvexProgram program = linear(1.0, 1.0, 1.0);
@@ -96,7 +96,7 @@ TEST_P(EveryEngine, RefusesANormThatIsNoNumber) {
   }
 }
 
-TEST_P(EveryEngine, RefusesACurveThatIsInfinite) {
+TEST_P(EachEngine, RefusesACurveThatIsInfinite) {
   const double infinity = std::numeric_limits<double>::infinity();
   EXPECT_NE(why_not(least_of([&](double) { return ConvexFunction::Expansion{infinity, -infinity, infinity}; })), "");
   ConvexProgram program;
@@ -105,7 +105,7 @@ TEST_P(EveryEngine, RefusesACurveThatIsInfinite) {
 }
 
 // Finite where the first tangents touch, and infinite where they meet.
-TEST_P(EveryEngine, RefusesAnObjectiveThatIsInfiniteAtItsFirstPoint) {
+TEST_P(EachEngine, RefusesAnObjectiveThatIsInfiniteAtItsFirstPoint) {
   const auto curve = [](double at) {
     ConvexFunction::Expansion expansion = parabola(at);
     expansion.value = at == 0.0 || at == 0.5 || at == 1.25 || at == 2.375 || at == 3.0
@@ -116,7 +116,7 @@ TEST_P(EveryEngine, RefusesAnObjectiveThatIsInfiniteAtItsFirstPoint) {
   EXPECT_NE(why_not(least_of(curve)), "");
 }
 
-TEST_P(EveryEngine, LooksAtACurveWithinTheBoundsOfItsVariableAlone) {
+TEST_P(EachEngine, LooksAtACurveWithinTheBoundsOfItsVariableAlone) {
   double least = 0.0;
   double most = 0.0;
   const auto solution = solved(least_of([&](double at) {
@@ -130,7 +130,7 @@ TEST_P(EveryEngine, LooksAtACurveWithinTheBoundsOfItsVariableAlone) {
   EXPECT_LE(most, 3.0);
 }
 
-TEST_P(EveryEngine, SolvesAProgramWithNothingToDecide) {
+TEST_P(EachEngine, SolvesAProgramWithNothingToDecide) {
   ConvexProgram nothing;
   nothing.minimise("cost", 5.0);
   ConvexProgram fixed;
@@ -144,13 +144,13 @@ TEST_P(EveryEngine, SolvesAProgramWithNothingToDecide) {
   }
 }
 
-TEST_P(EveryEngine, SaysThatItsBudgetWasNone) {
+TEST_P(EachEngine, SaysThatItsBudgetWasNone) {
   const auto certificate = solve(linear(1.0, 1.0, 1.0), {.name = GetParam(), .max_iterations = 0}).certificate;
   EXPECT_EQ(certificate.status, SolveStatus::iteration_limit);
   EXPECT_NE(certificate.reason, "");
 }
 
-using EveryEngineDeathTest = EveryEngine;
+using EveryEngineDeathTest = EachEngine;
 INSTANTIATE_TEST_SUITE_P(Engine, EveryEngineDeathTest, ::testing::ValuesIn(engine_names()));
 
 TEST_P(EveryEngineDeathTest, RefusesASolveWithinASolve) {

@@ -14,7 +14,7 @@ using testing::replaced;
 
 using testing::read_runs;
 using testing::read_text;
-using testing::small_place;
+using testing::small_context;
 
 const std::string spike =
     "{name: spike, type: demand.scale, target: {regions: [2, 0]}, start: \"17:30\", duration: 90min, magnitude: 1.8";
@@ -261,7 +261,7 @@ TEST(Schedule, RefusesAResolvedListThatWasAltered) {
 TEST(Schedule, InjectorTakesAResolvedListOnly) {
   const auto read = [](const std::string& text) {
     YamlMap scenario(YamlValue::parse(text, "scenario.resolved.yaml"));
-    return read_resolved(scenario, small_place());
+    return read_resolved(scenario, small_context());
   };
   EXPECT_EQ(read("faults: {schema: 1, resolved: true, seed: 3, faults: []}\n").seed, 3U);
   EXPECT_THROW(read("faults: {schema: 1, faults: []}\n"), Error);

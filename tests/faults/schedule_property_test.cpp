@@ -13,7 +13,7 @@ namespace evbal {
 namespace {
 
 using testing::read_text;
-using testing::small_place;
+using testing::small_context;
 
 std::string one_of(std::vector<std::string> texts) {
   return *rc::gen::elementOf(std::move(texts));

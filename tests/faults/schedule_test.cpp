@@ -16,7 +16,7 @@ using testing::replaced;
 
 using testing::read_runs;
 using testing::read_text;
-using testing::small_place;
+using testing::small_context;
 
 const std::string spike =
     "{name: spike, type: demand.scale, target: {regions: [2, 0]}, start: \"17:30\", duration: 90min, magnitude: 1.8";
