@@ -123,9 +123,8 @@ City read_city(const std::filesystem::path& folder);
 DemandDay read_demand(const City& city, const std::string& date);
 
 /// Writes a pack that read_city and read_demand give back; `days` are those of `city.days`, in that order, or none for
-/// a city of factors. The folder
-/// must not exist or be empty: else Error{bad_input}. A pack that cannot be written throws Error{run_failed} and leaves
-/// nothing behind.
+/// a city of factors. Throws Error{bad_input} if the folder exists and is not empty, Error{run_failed} if the pack
+/// cannot be written, of which nothing is left behind then.
 void write_city(const City& city, const std::vector<DemandDay>& days, const std::filesystem::path& folder);
 
 }  // namespace evbal

@@ -9,7 +9,6 @@
 #include "common/new_folder.hpp"
 #include "common/table_text.hpp"
 
-
 namespace evbal {
 namespace {
 

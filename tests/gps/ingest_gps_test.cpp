@@ -39,7 +39,8 @@ class IngestGps : public testing::Test {
     sources_.gps = folder_.path() / "gps";
     sources_.format = folder_.write("format.yaml", kFormat);
     sources_.regions = folder_.write("regions.geojson", regions_geojson(regions));
-    sources_.stations = folder_.write("stations.yaml", stations_yaml({{"hub", 1, 4, {37.72, -122.42}}}, regions));
+    sources_.stations =
+        folder_.write("stations.yaml", stations_yaml({{"hub, \"north\"", 1, 4, {37.72, -122.42}}}, regions));
   }
 
   /// Waits 20 minutes in the west, rides east, charges an hour there after a queue of 15 minutes, 120 m away.
@@ -83,7 +84,7 @@ TEST_F(IngestGps, WritesWhatACabDid) {
             "7,1211138400,37.72,-122.47,1211139600,37.7211,-122.42\n");
   EXPECT_EQ(table("charging.csv"),
             "cab,station,region,arrival_unix,start_unix,end_unix\n"
-            "7,hub,east,1211139600,1211140500,1211143740\n");
+            "7,\"hub, \"\"north\"\"\",east,1211139600,1211140500,1211143740\n");
   EXPECT_NE(table("vacant.csv").find("\n7,1211137200,37.72,-122.47,1211138400,37.72,-122.47,0,pickup\n"),
             std::string::npos);
   EXPECT_NE(table("transitions.csv").find("10:00,west,vacant,2,occupied,east,"), std::string::npos)

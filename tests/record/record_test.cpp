@@ -1,13 +1,13 @@
 #include "common/error.hpp"
 #include "experiments/record/compare.hpp"
 #include "experiments/record/run_record.hpp"
+#include "tests/folder.hpp"
 #include "tests/record/small_day.hpp"
 #include "tests/support/full_disk.hpp"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <sstream>
 
 namespace evbal {
 namespace {
@@ -16,12 +16,6 @@ namespace fs = std::filesystem;
 
 class Record : public ::testing::Test {
  protected:
-  void SetUp() override {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::temp_directory_path() / ("evbal-record-" + std::to_string(getpid()) + "-" + test->name());
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   RunResult written(const std::string& name, const std::vector<TickRecord>& day = small_day()) const {
     RunRecord record(folder_ / name, small_header());
     for (const auto& tick : day) {
@@ -34,13 +28,6 @@ class Record : public ::testing::Test {
     return first_difference(folder_ / "a", folder_ / "b", small_clock());
   }
 
-  static std::string text_of(const fs::path& file) {
-    std::ifstream in(file);
-    std::ostringstream text;
-    text << in.rdbuf();
-    return text.str();
-  }
-
   void replace(const std::string& file, const std::string& from, const std::string& to) const {
     std::string text = text_of(folder_ / file);
     const auto at = text.find(from);
@@ -48,7 +35,8 @@ class Record : public ::testing::Test {
     std::ofstream(folder_ / file) << text.replace(at, from.size(), to);
   }
 
-  fs::path folder_;
+  Folder own_;
+  fs::path folder_ = own_.path() / "runs";
 };
 
 TEST_F(Record, IsCompleteWhenFinished) {

@@ -1,11 +1,11 @@
 #include "experiments/scenario/scenario.hpp"
 
 #include "experiments/metrics/metrics.hpp"
+#include "tests/folder.hpp"
 #include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -23,15 +23,8 @@ const fs::path shipped = test::in_source("experiments/scenarios");
 /// A folder of its own for the files of one test.
 class ScenarioFile : public ::testing::Test {
  protected:
-  ScenarioFile() {
-    std::string pattern = (fs::temp_directory_path() / "evbal-scenario-XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-  }
-  ~ScenarioFile() override { fs::remove_all(folder_); }
-
   fs::path write(const std::string& text, const std::string& name = "a.yaml") const {
-    std::ofstream(folder_ / name) << text;
-    return folder_ / name;
+    return folder_.write(name, text);
   }
 
   /// `place` is the file's name and line, or an option.
@@ -48,7 +41,7 @@ class ScenarioFile : public ::testing::Test {
   }
 
  private:
-  fs::path folder_;
+  Folder folder_;
 };
 
 const std::string head = "schema: 1\ncity: toy-5\nday: 2024-01-11\nseed: 1\n";

@@ -4,6 +4,7 @@
 #include "agents/world/factors.hpp"
 #include "agents/world/regions_file.hpp"
 #include "common/error.hpp"
+#include "common/scratch_folder.hpp"
 #include "tools/gps/ingest_gps.hpp"
 #include "tools/ingest/ingest_partition.hpp"
 #include "tools/ingest/ingest_stations.hpp"
@@ -11,7 +12,6 @@
 #include "tools/ingest/trips.hpp"
 
 #include <cstdint>
-#include <cstdlib>
 #include <fstream>
 
 namespace evbal {
@@ -21,13 +21,8 @@ namespace fs = std::filesystem;
 
 /// A folder of this process's own, in memory where there is room.
 const fs::path& folder() {
-  static const fs::path path = [] {
-    std::string name = std::string(fs::exists("/dev/shm") ? "/dev/shm" : "/tmp") + "/evbal-fuzz-XXXXXX";
-    return fs::path(mkdtemp(name.data()));
-  }();
-  static const int registered = std::atexit([] { fs::remove_all(folder()); });
-  (void)registered;
-  return path;
+  static const ScratchFolder own(fs::exists("/dev/shm") ? "/dev/shm" : "/tmp");
+  return own.path();
 }
 
 fs::path write(const std::string& name, std::string_view text) {
