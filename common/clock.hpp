@@ -13,11 +13,17 @@ struct DayClock {
   int step = 30;        ///< Delta: the controller's and the record's unit; divides end - start
   int plan_every = 10;  ///< minutes between plans
 
+  /// Length of the day.
   int minutes() const { return end - start; }
+  /// Number of ticks in the day.
   int ticks() const { return minutes() / tick; }
+  /// Number of steps in the day.
   int steps() const { return minutes() / step; }
+  /// Minute at which a tick begins.
   int minute_of(int tick_index) const { return tick_index * tick; }
+  /// Step that a minute belongs to.
   int step_of(int minute) const { return minute / step; }
+  /// Whether a plan is due at the start of a tick.
   bool plan_due(int tick_index) const { return minute_of(tick_index) % plan_every == 0; }
 
   /// What is wrong with the clock, and what would be right; empty if nothing is.

@@ -14,6 +14,7 @@ class Digest {
  public:
   Digest();
 
+  /// Adds bytes.
   void update(const void* data, std::size_t bytes);
 
   /// Fingerprint of all bytes so far, as 32 lower-case hexadecimal digits.

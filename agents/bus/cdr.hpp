@@ -31,6 +31,7 @@ class CdrWriter {
   /// `out` has room for all that is written; without one, bytes are only counted.
   explicit CdrWriter(char* out) : out_(out) {}
 
+  /// Writes a number.
   template <class Number>
   requires std::is_arithmetic_v<Number>
   void write(Number value) {
@@ -40,15 +41,18 @@ class CdrWriter {
     put(&value, sizeof value);
   }
 
+  /// Writes an enumerator as 32 bits.
   template <class Enum>
   requires std::is_enum_v<Enum>
   void write(Enum value) { write(static_cast<std::uint32_t>(value)); }
 
+  /// Writes a text.
   void write(const std::string& text) {
     write(static_cast<std::uint32_t>(text.size() + 1));
     put(text.c_str(), text.size() + 1);
   }
 
+  /// Writes a list.
   template <class Item>
   void write(const std::vector<Item>& items) {
     write(static_cast<std::uint32_t>(items.size()));
@@ -57,6 +61,7 @@ class CdrWriter {
     }
   }
 
+  /// Writes a message, field by field.
   template <class Message>
   requires std::is_class_v<Message>
   void write(const Message& message) {
@@ -82,8 +87,10 @@ class CdrWriter {
 /// are no message. A length is believed only as far as there are bytes.
 class CdrReader {
  public:
+  /// Reads from the first byte on, which follows the encapsulation.
   explicit CdrReader(std::string_view bytes) : bytes_(bytes) {}
 
+  /// Reads a truth value.
   void read(bool& value) {
     std::uint8_t byte = 0;
     read(byte);
@@ -93,6 +100,7 @@ class CdrReader {
     value = byte == 1;
   }
 
+  /// Reads a number.
   template <class Number>
   requires std::is_arithmetic_v<Number>
   void read(Number& value) {
@@ -100,6 +108,7 @@ class CdrReader {
     std::memcpy(&value, take(sizeof value).data(), sizeof value);
   }
 
+  /// Reads an enumerator.
   template <class Enum>
   requires std::is_enum_v<Enum>
   void read(Enum& value) {
@@ -112,6 +121,7 @@ class CdrReader {
     value = static_cast<Enum>(number);
   }
 
+  /// Reads a text.
   void read(std::string& text) {
     text = take(length());
     if (text.ends_with('\0')) {
@@ -122,6 +132,7 @@ class CdrReader {
     }
   }
 
+  /// Reads a list.
   template <class Item>
   void read(std::vector<Item>& items) {
     items.clear();
@@ -130,6 +141,7 @@ class CdrReader {
     }
   }
 
+  /// Reads a message, field by field.
   template <class Message>
   requires std::is_class_v<Message>
   void read(Message& message) {
@@ -163,8 +175,8 @@ class CdrReader {
 /// A message as it goes over the bus: every topic's type begins with the run's id.
 template <class Message>
 struct Sample {
-  std::string run;
-  Message message{};
+  std::string run;      ///< id of the run
+  Message message{};    ///< as it was written
   std::string wrong{};  ///< why the bytes that came are no message; empty if they are one
 };
 

@@ -21,9 +21,13 @@ struct MessageBounds {
 /// What is wrong with a message, in a few words; empty if nothing is. In a message that passes every number is finite
 /// and small enough to be counted on with, every text is UTF-8, and every region, minute, vehicle and fault exists.
 std::string validate(const Faults& message, const MessageBounds& bounds);
+/// The same of a tick.
 std::string validate(const Tick& message, const MessageBounds& bounds);
+/// The same of a report.
 std::string validate(const Report& message, const MessageBounds& bounds);
+/// The same of a plan.
 std::string validate(const Plan& message, const MessageBounds& bounds);
+/// The same of departures.
 std::string validate(const Departures& message, const MessageBounds& bounds);
 
 /// Throws Error{run_failed}: what `sender` said of a tick cannot be, and why.

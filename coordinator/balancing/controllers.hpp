@@ -16,8 +16,8 @@ using PlanFunction =
 
 /// A way to plan.
 struct Controller {
-  std::string name;  ///< that scenarios use
-  PlanFunction plan;
+  std::string name;            ///< that scenarios use
+  PlanFunction plan;           ///< how it plans
   bool draws_samples = false;  ///< plans for PlanningData::demand_samples
   bool foresees = false;       ///< is told the true demand in place of a forecast
 };

@@ -149,7 +149,7 @@ class ConvexProgram {
  private:
   /// What minimise() was told under one name.
   struct Term {
-    std::string name;
+    std::string name;  ///< as minimise() was given it
     Expression cost;
     std::vector<int> norms;
   };

@@ -10,10 +10,12 @@ namespace evbal {
 
 /// How many autoregressive (p) and moving-average (q) coefficients an ArmaModel has.
 struct ArmaOrder {
-  int p = 0;
-  int q = 0;
+  int p = 0;  ///< autoregressive coefficients
+  int q = 0;  ///< moving-average coefficients
 
+  /// Number of coefficients.
   int coefficients() const { return p + q; }
+  /// Field by field.
   bool operator==(const ArmaOrder&) const = default;
 };
 
@@ -25,6 +27,7 @@ struct ArmaModel {
   Eigen::VectorXd ma;     ///< q, invertible
   double variance = 0.0;  ///< of e
 
+  /// By the lengths of its coefficients.
   ArmaOrder order() const { return {static_cast<int>(ar.size()), static_cast<int>(ma.size())}; }
 };
 
@@ -36,20 +39,21 @@ bool invertible(const Eigen::VectorXd& ma);
 
 /// Mean and variance of the steps ahead.
 struct Outlook {
-  Eigen::VectorXd mean;
-  Eigen::VectorXd variance;
+  Eigen::VectorXd mean;      ///< by step ahead
+  Eigen::VectorXd variance;  ///< by step ahead
 };
 
 /// An observation less what was expected of it a step before, and the variance that this difference had.
 struct Innovation {
-  double value = 0.0;
-  double variance = 0.0;
+  double value = 0.0;     ///< observed less expected
+  double variance = 0.0;  ///< that the filter gave it
 };
 
 /// Kalman filter of an ARMA model in state-space form (Harvey 1993, section 4.4; Gardner, Harvey and Phillips 1980),
 /// for one stretch of observations. The state starts from its stationary distribution.
 class ArmaFilter {
  public:
+  /// Starts before the first observation.
   explicit ArmaFilter(const ArmaModel& model);
 
   /// Takes the next observation; NaN if it is missing. Gives its innovation, NaN if it is missing.
@@ -61,7 +65,9 @@ class ArmaFilter {
   /// Of the innovations so far, with variances in units of the model's: their number, the sum of their squares divided
   /// by their variances, and the sum of the logarithms of these variances.
   int count() const { return count_; }
+  /// See count().
   double sum_of_squares() const { return squares_; }
+  /// See count().
   double sum_of_logs() const { return logs_; }
 
   /// Back to before the first observation; what was counted stays.
@@ -84,9 +90,9 @@ class ArmaFilter {
 
 /// A model by maximum likelihood.
 struct ArmaFit {
-  ArmaModel model;
-  double log_likelihood = 0.0;
-  int observations = 0;  ///< that are not missing
+  ArmaModel model;              ///< of the greatest likelihood
+  double log_likelihood = 0.0;  ///< of the model
+  int observations = 0;         ///< that are not missing
 
   /// Akaike's criterion, corrected for small samples (Hurvich and Tsai 1989); the variance counts as a parameter.
   double aicc() const;

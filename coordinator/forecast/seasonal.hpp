@@ -16,6 +16,7 @@ enum class DayKind {
   saturday = 1,
   sunday = 2,  ///< and public holidays
 };
+/// Number of DayKind.
 inline constexpr int day_kinds = 3;
 
 /// Whether `text` is an ISO date ("2008-06-03") of the Gregorian calendar.
@@ -31,11 +32,12 @@ DayKind day_kind(const std::string& date, bool holiday);
 /// are autoregressive moving averages that start anew each day. The forecast of lead k is  m (1 + C_k / sqrt(M)) + s
 /// w_k.
 struct SeasonalModel {
-  int step_minutes = 30;
+  int step_minutes = 30;                        ///< of the means
   std::array<Eigen::MatrixXd, day_kinds> mean;  ///< by DayKind, N x steps of the day
   ArmaModel city;                               ///< of C
   std::vector<ArmaModel> region;                ///< of w, N
 
+  /// Number of regions.
   int regions() const { return static_cast<int>(mean[0].rows()); }
 };
 
@@ -48,9 +50,10 @@ Eigen::VectorXd count_scale(const Eigen::VectorXd& mean);
 
 /// C and w of one window, as in SeasonalModel; NaN where nothing was observed.
 struct Deviation {
-  double city = 0.0;
-  Eigen::VectorXd region;
+  double city = 0.0;       ///< of the city's total
+  Eigen::VectorXd region;  ///< of each region's share
 };
+/// How the counts of one window deviate from their seasonal mean; both N.
 Deviation deviation(const Eigen::VectorXd& observed, const Eigen::VectorXd& mean);
 
 /// Seasonal mean with an autoregressive correction, on one day.
@@ -71,6 +74,7 @@ class SeasonalForecaster : public Forecaster {
     Eigen::VectorXd city_variance;               ///< of the sum over all regions, tau
     NormalisedInnovation normalised_innovation;  ///< of the last steps
   };
+  /// The counts of `tau` steps from `minute` on.
   Prediction predict(int minute, int tau) const;
 
   /// Seasonal mean of the minutes [from, to), N.

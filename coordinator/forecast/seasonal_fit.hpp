@@ -9,13 +9,13 @@ namespace evbal {
 
 /// What happened on one day.
 struct CountDay {
-  DayKind kind = DayKind::weekday;
-  Eigen::MatrixXd counts;  ///< N x steps
+  DayKind kind = DayKind::weekday;  ///< weekday, Saturday, or Sunday and holiday
+  Eigen::MatrixXd counts;           ///< N x steps
 };
 
 /// Orders of a SeasonalModel's autoregressive moving averages.
 struct SeasonalOrders {
-  ArmaOrder city;
+  ArmaOrder city;                 ///< of the city's total
   std::vector<ArmaOrder> region;  ///< N
   std::vector<int> thin;          ///< regions with too few counts for any: the seasonal mean is their forecast
 };
@@ -28,10 +28,11 @@ SeasonalModel fit_seasonal(const std::vector<CountDay>& days, int step_minutes, 
 
 /// Squared errors, summed over origins: N x leads.
 struct Skill {
-  Eigen::MatrixXd forecast;
+  Eigen::MatrixXd forecast;       ///< sum of squared errors, by region and step ahead
   Eigen::MatrixXd seasonal_mean;  ///< of the plain mean over days of the kind, shrunk as the model's but not smoothed
-  Eigen::MatrixXd last_value;
+  Eigen::MatrixXd last_value;     ///< the same of the last count
 
+  /// Adds another day's.
   Skill& operator+=(const Skill& other);
 };
 
@@ -42,7 +43,7 @@ struct HeldOutDay {
   Eigen::MatrixXd counts;                 ///< that came
   Eigen::MatrixXd residuals;              ///< errors divided by Forecaster::scale
   Eigen::VectorXd normalised_innovation;  ///< the day's largest of each region and, last, of the city: N + 1
-  Skill skill;
+  Skill skill;                            ///< of the day
 };
 
 /// Mean counts per region and step of each kind of day, N x steps.
@@ -51,6 +52,7 @@ using SeasonalMeans = std::array<Eigen::MatrixXd, day_kinds>;
 /// Plain means, thin kinds of day shrunk towards all days: the rival of a forecast. At least one day.
 SeasonalMeans seasonal_means(const std::vector<CountDay>& days);
 
+/// Forecasts a day step by step, `leads` steps ahead, against the seasonal mean `rival`.
 HeldOutDay hold_out(const SeasonalModel& model, const SeasonalMeans& rival, const CountDay& day, int leads);
 
 /// The alarm of the innovation test: the normalised innovation that the city and its regions, all together, exceed once

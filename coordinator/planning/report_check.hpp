@@ -19,7 +19,7 @@ inline constexpr int most_passengers_a_minute = 1000;
 struct ReportBounds {
   int vehicles = 0;         ///< of the whole fleet
   std::vector<int> points;  ///< installed, by region
-  DayClock clock;
+  DayClock clock;           ///< of the run
 };
 
 /// What is wrong with a report at the tick of a plan, in a few words; empty if nothing is. `region` of the report
@@ -29,9 +29,10 @@ std::string validate(const Report& report, int tick, int last, const ReportBound
 /// The reports of a tick that are believed, by region, and why the others are rejected, by region: they are missing, of
 /// no region of the city, the second of their region, or not valid.
 struct CheckedReports {
-  std::vector<std::optional<Report>> good;
-  std::vector<Rejection> rejected;
+  std::vector<std::optional<Report>> good;  ///< by region
+  std::vector<Rejection> rejected;          ///< by region
 };
+/// Checks the reports of a tick one by one.
 CheckedReports check_reports(const std::vector<Report>& reports, int tick, int last, const ReportBounds& bounds);
 
 }  // namespace evbal

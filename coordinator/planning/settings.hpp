@@ -16,12 +16,12 @@ namespace evbal {
 
 /// Who plans, with what, and how much work a plan may cost.
 struct PlanningSettings {
-  std::string controller = "robust";
-  Command coordinator;  ///< program that plans in place of evbal-coordinator; empty: none
-  EngineSettings engine;
-  std::filesystem::path model;   ///< file that `evbal fit` wrote; empty: the one beside the city's pack
-  bool innovation_test = false;  ///< whether sets are inflated where recent forecast errors leave them
-  BalancingParameters balancing;
+  std::string controller = "robust";  ///< its name
+  Command coordinator;                ///< program that plans in place of evbal-coordinator; empty: none
+  EngineSettings engine;              ///< which, and its limits
+  std::filesystem::path model;        ///< file that `evbal fit` wrote; empty: the one beside the city's pack
+  bool innovation_test = false;       ///< whether sets are inflated where recent forecast errors leave them
+  BalancingParameters balancing;      ///< prices and bounds of the problem
 };
 
 /// Reads the planning keys of a scenario: controller, coordinator, engine, iterations, model, innovation_test,

@@ -17,28 +17,28 @@ namespace evbal {
 
 /// What is known of a run before its first tick.
 struct RunHeader {
-  std::string scenario;  ///< its name
-  std::string resolved;  ///< scenario.resolved.yaml as text
-  InputDigests inputs{};
-  std::string date;
-  std::uint64_t seed = 0;
-  std::string controller;
-  std::string engine;
-  std::string transport;  ///< "dds" or "inproc"
-  std::optional<NetworkConditions> network{};
-  MetricsFrame frame;
-  std::vector<std::string> region_names;
-  std::vector<RequestedFault> faults;
+  std::string scenario;                        ///< its name
+  std::string resolved;                        ///< scenario.resolved.yaml as text
+  InputDigests inputs{};                       ///< of pack and model
+  std::string date;                            ///< of the day, ISO 8601
+  std::uint64_t seed = 0;                      ///< of the run
+  std::string controller;                      ///< its name
+  std::string engine;                          ///< its name
+  std::string transport;                       ///< "dds" or "inproc"
+  std::optional<NetworkConditions> network{};  ///< of a network that loses packets
+  MetricsFrame frame;                          ///< what the metrics need
+  std::vector<std::string> region_names;       ///< by region
+  std::vector<RequestedFault> faults;          ///< in the order of the schedule
 };
 
 /// What a finished run came to.
 struct RunResult {
-  std::filesystem::path folder;
-  std::string controller;
-  std::string digest;
-  Totals totals;
-  int fallbacks = 0;  ///< plans that were not the controller's own
-  double wall_seconds = 0.0;
+  std::filesystem::path folder;  ///< of the run
+  std::string controller;        ///< its name
+  std::string digest;            ///< of all that was said
+  Totals totals;                 ///< of the day
+  int fallbacks = 0;             ///< plans that were not the controller's own
+  double wall_seconds = 0.0;     ///< that the run took
 };
 
 /// A run's directory, written while the day goes on:
@@ -59,6 +59,7 @@ class RunRecord {
   RunRecord(const RunRecord&) = delete;
   RunRecord& operator=(const RunRecord&) = delete;
 
+  /// The run's directory.
   const std::filesystem::path& folder() const { return folder_; }
 
   /// Adds the next tick.

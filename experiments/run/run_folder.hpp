@@ -20,6 +20,7 @@ class OutFolder {
   /// refused, whoever asks for the directory.
   explicit OutFolder(std::filesystem::path folder, const std::string& draws = "");
 
+  /// The folder.
   const std::filesystem::path& path() const { return folder_; }
 
   /// Notes that all draws are played and their files written.

@@ -11,8 +11,8 @@ namespace evbal {
 
 /// A scenario under one of its controllers, and where it is recorded.
 struct Run {
-  Scenario scenario;
-  std::filesystem::path folder;
+  Scenario scenario;             ///< with one controller
+  std::filesystem::path folder;  ///< where it is recorded
 };
 
 /// A run for each of the scenario's controllers: in `folder`, or in a folder of the controller's name in it if there

@@ -36,19 +36,20 @@ enum class MagnitudeUnit {
 
 /// A type of fault: its name in a schedule, and which keys it has beside those of every fault.
 struct FaultType {
-  std::string name;
-  EffectType effect = EffectType::demand_scale;
-  TargetKind target = TargetKind::regions;
-  MagnitudeUnit unit = MagnitudeUnit::number;
-  Range range{0.0, 0.0};                ///< of the magnitude; points are limited by their region instead
-  std::string counted{};                ///< "points", "vehicles", "iterations"
-  double neutral = 0.0;                 ///< the magnitude that changes nothing, from which a ramp rises
-  bool ramp = false;                    ///< comes and goes gradually
-  bool on_start = false;                ///< cars at the points that fail: evict or drain
-  bool to = false;                      ///< has a region as destination
-  std::string magnitude = "magnitude";  ///< the key
-  std::string duration = "duration";    ///< the key
+  std::string name;                              ///< in a schedule
+  EffectType effect = EffectType::demand_scale;  ///< what it does
+  TargetKind target = TargetKind::regions;       ///< what its target names
+  MagnitudeUnit unit = MagnitudeUnit::number;    ///< what its magnitude measures
+  Range range{0.0, 0.0};                         ///< of the magnitude; points are limited by their region instead
+  std::string counted{};                         ///< "points", "vehicles", "iterations"
+  double neutral = 0.0;                          ///< the magnitude that changes nothing, from which a ramp rises
+  bool ramp = false;                             ///< comes and goes gradually
+  bool on_start = false;                         ///< cars at the points that fail: evict or drain
+  bool to = false;                               ///< has a region as destination
+  std::string magnitude = "magnitude";           ///< the key
+  std::string duration = "duration";             ///< the key
 
+  /// Whether its magnitude is a number of charging points.
   bool counts_points() const { return counted == "points"; }
 
   /// Whether it is to be said who is told: only of the world.

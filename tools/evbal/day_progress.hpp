@@ -17,6 +17,7 @@ namespace evbal {
 /// simulated hour.
 class DayProgress {
  public:
+  /// Shows nothing before the first tick.
   explicit DayProgress(const Scenario& scenario);
 
   /// Takes the next tick.

@@ -10,8 +10,8 @@ namespace evbal {
 
 /// What `evbal sweep` and `evbal tune` ask alike.
 struct PlayingOptions {
-  Playing playing;  ///< but for what is told of days that end
-  bool quiet = false;
+  Playing playing;     ///< but for what is told of days that end
+  bool quiet = false;  ///< without progress
 };
 
 /// Adds `--jobs`, `--executor` and `--quiet` to a command.

@@ -14,6 +14,7 @@ namespace evbal {
 /// renews itself.
 class StudyProgress {
  public:
+  /// Shows nothing if `quiet`.
   explicit StudyProgress(bool quiet) : quiet_(quiet) {}
 
   /// Ends the line of a terminal.

@@ -14,11 +14,12 @@ namespace evbal {
 /// (docs/tuning.md). The command throws Error, whose status main exits with.
 void add_tune_command(CLI::App& app);
 
+/// The command line of `evbal tune`.
 struct TuneArguments {
-  std::filesystem::path tuning;
-  std::filesystem::path out;
-  bool quick = false;
-  PlayingOptions options;
+  std::filesystem::path tuning;  ///< file
+  std::filesystem::path out;     ///< folder for what was tuned
+  bool quick = false;            ///< read_tuning
+  PlayingOptions options;        ///< how its days are played
 };
 
 /// Tunes, for which it plays the days that have no result in `out` yet, and gives the file with the settings that it

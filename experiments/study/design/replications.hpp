@@ -15,9 +15,10 @@ namespace evbal {
 struct Replication {
   std::string scenario;  ///< its name in the file
   std::string faults;    ///< name of the schedule; empty: the scenario's own
+  /// ISO 8601.
   std::string day;
-  std::uint64_t seed = 0;
-  YamlValue yaml;  ///< the scenario with all of these
+  std::uint64_t seed = 0;  ///< of the run
+  YamlValue yaml;          ///< the scenario with all of these
 };
 
 /// The keys `scenario` or `scenarios`, `days`, `seeds` and `faults` of a file, read.

@@ -18,20 +18,22 @@ namespace evbal {
 
 /// One day of a sweep.
 struct SweptDay {
-  std::string scenario{};  ///< its name in the sweep
-  std::string variant{};
-  std::string controller{};
-  std::string faults;  ///< name of the schedule; empty: the scenario's own
+  std::string scenario{};    ///< its name in the sweep
+  std::string variant{};     ///< its name
+  std::string controller{};  ///< its name
+  std::string faults;        ///< name of the schedule; empty: the scenario's own
+  /// ISO 8601.
   std::string day;
-  std::uint64_t seed = 0;
+  std::uint64_t seed = 0;                         ///< of the run
   std::map<std::string, std::string> settings{};  ///< of the variant, by path
   YamlValue yaml;                                 ///< the scenario with all of these, but for the controller
 };
 
+/// The days of a sweep, and its page.
 struct Sweep {
   std::vector<std::string> settings;  ///< paths that any variant sets, in the order of the file
   std::vector<SweptDay> days;  ///< at least one; by variant, scenario, settings, faults, day and seed, as in the file
-  std::optional<Page> page{};
+  std::optional<Page> page{};  ///< that it ends with
 };
 
 /// How much of a sweep is read, and what else it needs.

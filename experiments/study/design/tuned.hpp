@@ -13,8 +13,8 @@ namespace evbal {
 
 /// One tuned variant.
 struct TunedVariant {
-  std::string controller;
-  std::vector<Setting> settings;
+  std::string controller;         ///< its name
+  std::vector<Setting> settings;  ///< in place of the scenario's
 };
 
 /// By (scenario, variant).

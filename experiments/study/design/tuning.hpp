@@ -16,24 +16,26 @@ namespace evbal {
 
 /// A range that is searched by its logarithm, or the values of a list.
 struct SearchAxis {
-  std::string path;
-  double from = 0.0;
-  double to = 0.0;
+  std::string path;                  ///< key, with dots between levels
+  double from = 0.0;                 ///< least value
+  double to = 0.0;                   ///< greatest value
   std::vector<YamlValue> choices{};  ///< in place of the range
 };
 
+/// A controller and the settings that are searched.
 struct Tunable {
-  std::string name;
-  std::string controller;
-  std::vector<Setting> settings;  ///< of all of its candidates
-  std::vector<SearchAxis> search;
+  std::string name;                ///< of the variant
+  std::string controller;          ///< its name
+  std::vector<Setting> settings;   ///< of all of its candidates
+  std::vector<SearchAxis> search;  ///< what is searched, and where
 };
 
+/// What is tuned, and on which days.
 struct Tuning {
-  Replications replications;
-  Prices objective{};  ///< the sum is to be small
-  int candidates = 0;  ///< of every variant
-  std::vector<Tunable> variants{};
+  Replications replications;        ///< training days and seeds
+  Prices objective{};               ///< the sum is to be small
+  int candidates = 0;               ///< of every variant
+  std::vector<Tunable> variants{};  ///< all tuned alike
 };
 
 /// Reads a tuning. Throws Error{bad_input} with file, line, reason and what would be right, also if a day is not one of
@@ -42,18 +44,18 @@ Tuning read_tuning(const std::filesystem::path& file, bool quick);
 
 /// A candidate with what it has shown so far.
 struct Candidate {
-  int number = 0;  ///< from 1
-  std::vector<Setting> settings{};
-  double objective = 0.0;  ///< mean of its last round's days
-  int days = 0;            ///< that were played in its last round
+  int number = 0;                   ///< from 1
+  std::vector<Setting> settings{};  ///< that it tries
+  double objective = 0.0;           ///< mean of its last round's days
+  int days = 0;                     ///< that were played in its last round
 };
 
 /// A variant in one scenario.
 struct Contest {
-  std::string scenario;
-  std::size_t variant = 0;
+  std::string scenario;                 ///< its name
+  std::size_t variant = 0;              ///< position in the tuning
   std::vector<Candidate> candidates{};  ///< those that are left first, the best of each round in front
-  std::size_t left = 0;
+  std::size_t left = 0;                 ///< number of candidates that are left
 };
 
 /// All candidates of every scenario and variant.

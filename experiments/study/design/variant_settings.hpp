@@ -10,8 +10,8 @@ namespace evbal {
 
 /// A path of a scenario, such as `balancing.tau`, with the value that it is to take.
 struct Setting {
-  std::string path;
-  YamlValue value;
+  std::string path;  ///< keys with dots between them
+  YamlValue value;   ///< of the last key
 };
 
 /// Sets `path`, in place of a setting of it that is there.

@@ -14,38 +14,39 @@ namespace evbal {
 
 /// How the draws are played, none of which changes their results.
 struct DrawsStage {
-  bool over_bus = false;  ///< one after another; else several at a time, each in one process
-  OnDayEnded on_day_ended{};
+  bool over_bus = false;      ///< one after another; else several at a time, each in one process
+  OnDayEnded on_day_ended{};  ///< is told of each day
 };
 
 /// How a metric is spread over the draws, and its value without faults.
 struct DrawnMetric {
-  std::string name;
-  Distribution distribution;
-  double without = 0.0;
+  std::string name;           ///< of the metric
+  Distribution distribution;  ///< over the draws
+  double without = 0.0;       ///< value without faults
 };
 
 /// What the draws came to under one controller.
 struct DrawnController {
-  std::string controller;
-  std::size_t draws = 0;
+  std::string controller;            ///< its name
+  std::size_t draws = 0;             ///< that were played
   std::vector<DrawnMetric> metrics;  ///< those that may be expected
   std::string worst;                 ///< name of the worst draw
   std::string worst_metric;          ///< by which it is
-  double worst_value = 0.0;
+  double worst_value = 0.0;          ///< of the metric
   std::filesystem::path worst_file;  ///< that draw as a resolved scenario
 };
 
+/// What all draws came to.
 struct DrawsResult {
-  std::vector<DrawnController> controllers;
-  std::string disappointments;  ///< how often which expectation did not hold; empty if all held
+  std::vector<DrawnController> controllers;  ///< in the scenario's order
+  std::string disappointments;               ///< how often which expectation did not hold; empty if all held
 };
 
 /// A day that is played with every draw of its faults, under each of its controllers.
 struct Draws {
-  std::vector<Run> runs;  ///< one a controller
-  Sweep sweep;            ///< every draw of every run as a day
-  std::vector<std::string> keys;
+  std::vector<Run> runs;          ///< one a controller
+  Sweep sweep;                    ///< every draw of every run as a day
+  std::vector<std::string> keys;  ///< of the days (day_keys.hpp)
 
   /// Differs if any of the days does.
   std::string fingerprint() const;

@@ -12,8 +12,8 @@ namespace evbal {
 
 /// A day that has just ended, and how far its sweep has come.
 struct DayEnded {
-  std::string day;  ///< variant, settings, faults, date and seed
-  bool failed = false;
+  std::string day;        ///< variant, settings, faults, date and seed
+  bool failed = false;    ///< without a result
   std::size_t ended = 0;  ///< days of the sweep that have ended, those of earlier calls among them
   std::size_t all = 0;    ///< days of the sweep
 };

@@ -13,7 +13,7 @@ namespace evbal {
 struct Playing {
   int jobs = 0;                    ///< days at a time; 0: one a core, or as many as Slurm likes
   std::string executor = "local";  ///< or "slurm"
-  OnDayEnded on_day_ended{};
+  OnDayEnded on_day_ended{};       ///< is told of each day
 };
 
 /// Plays the days that have no result in the folder yet; `keys` are the days' (day_keys.hpp). Throws Error{run_failed}

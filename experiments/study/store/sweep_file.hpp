@@ -44,9 +44,9 @@ void merge_result(const std::filesystem::path& file, const std::filesystem::path
 
 /// Results in a file that another program than this one played: another version of evbal, or another build.
 struct PlayedByAnother {
-  std::string program;
-  int asked_for = 0;  ///< results that have one of the keys
-  int others = 0;     ///< results that have none
+  std::string program;  ///< version and build
+  int asked_for = 0;    ///< results that have one of the keys
+  int others = 0;       ///< results that have none
 };
 
 /// Those in the file, by program; none if there is no file. Throws Error{bad_input} as begin_sweep.

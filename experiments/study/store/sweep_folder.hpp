@@ -10,6 +10,7 @@ namespace evbal {
 
 /// What the files for the days are called in it (sweep_file.hpp).
 inline constexpr const char* sweep_file_name = "sweep.sqlite";
+/// The file of a tuning's days.
 inline constexpr const char* tuning_file_name = "tuning.sqlite";
 
 /// The folder that `evbal sweep` or `evbal tune` writes into, held by one process at a time. A sweep and the tuning
@@ -20,6 +21,7 @@ class SweepFolder {
   /// neither a sweep nor a tuning but something else, or if another process has it.
   SweepFolder(std::filesystem::path folder, const std::string& file);
 
+  /// The folder.
   const std::filesystem::path& path() const { return folder_; }
 
   /// The file of the days, with its folder.
