@@ -195,6 +195,12 @@ struct Rejection {
   bool operator==(const Rejection&) const = default;
 };
 
+/// A part of a plan's objective.
+struct PlanCost {
+  std::string term;   ///< "km", "queue", "shortage", ...
+  double cost = 0.0;  ///< km of empty driving that it weighs as much as
+};
+
 /// What made a plan and how good it is.
 struct Provenance {
   std::string controller;
@@ -209,6 +215,7 @@ struct Provenance {
   double demand_widened = 1.0;        ///< by the innovation test: the largest factor on a region's standard deviation
   double completions_widened = 1.0;   ///< likewise
   std::vector<Rejection> rejected{};  ///< by region; these regions stand in the plan as the coordinator estimates them
+  std::vector<PlanCost> costs{};      ///< the objective by term, which they sum to; none if nothing was solved
 };
 
 /// Coordinator to all.
@@ -269,8 +276,10 @@ struct Departures {
   Origin origin;
 };
 
-/// Fields that are recorded but no part of any digest: they differ between runs of the same day.
-inline constexpr std::tuple outside_digests{&Faults::origin, &Report::origin, &Plan::origin, &Departures::origin};
+/// Fields that are recorded but no part of any digest: they differ between runs of the same day, or say in detail what
+/// another field sums up.
+inline constexpr std::tuple outside_digests{&Faults::origin, &Report::origin, &Plan::origin, &Departures::origin,
+                                            &Provenance::costs};
 
 /// Fields that digests take in only where they differ from their default, and then with their name: digests of days
 /// without such a fault stay what they were before there was the field.

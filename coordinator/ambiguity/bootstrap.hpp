@@ -28,8 +28,8 @@ struct BootstrapThresholds {
   Thresholds error;
 };
 
-/// Thresholds at confidence 1 - alpha by the bootstrap (model, section 5): `replicates` times, `resample` residuals
-/// (columns, d x samples) are drawn with replacement; of the statistics of their mean and second moment the
+/// Thresholds at confidence 1 - alpha by the bootstrap (docs/model.md, section 5): `replicates` times, `resample`
+/// residuals (columns, d x samples) are drawn with replacement; of the statistics of their mean and second moment the
 /// ceil(replicates (1 - alpha))-th order statistic is taken.
 BootstrapThresholds bootstrap_thresholds(const Eigen::MatrixXd& residuals, const Covariance& covariance,
                                          const Bootstrap& bootstrap);
@@ -41,8 +41,8 @@ struct Coverage {
   double both = 0.0;  ///< both
 };
 
-/// Held-out coverage (model, section 5): of `replicates` draws of `resample` residuals, which are none of those that
-/// `covariance` and `thresholds` were estimated from.
+/// Held-out coverage (docs/model.md, section 5): of `replicates` draws of `resample` residuals, which are none of those
+/// that `covariance` and `thresholds` were estimated from.
 Coverage coverage(const Eigen::MatrixXd& residuals, const Covariance& covariance, const Thresholds& thresholds,
                   const Bootstrap& bootstrap);
 

@@ -4,7 +4,7 @@
 
 namespace evbal {
 
-/// Moment-based ambiguity set around a forecast (paper, [uncertain_delta]; model, section 5):
+/// Moment-based ambiguity set around a forecast (paper, [uncertain_delta]; docs/model.md, section 5):
 /// all distributions of xi = mean + delta with  E[delta]' Sigma^-1 E[delta] <= g1  and  E[delta delta'] <= g2 Sigma,
 /// where  Sigma = diag(deviation)^2 + factors factors'.
 /// Vectors are stacked step-major over the horizon: entry (step k, region i) stands at k * N + i.

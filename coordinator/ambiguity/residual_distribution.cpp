@@ -7,7 +7,7 @@
 namespace evbal {
 namespace {
 
-constexpr double deviation_floor = 0.1;      ///< vehicles, and scaled errors (model, section 5)
+constexpr double deviation_floor = 0.1;      ///< vehicles, and scaled errors (docs/model.md, section 5)
 constexpr double certain_deviation = 0.001;  ///< vehicles
 
 /// Rows of `regions` in each of `leads` blocks of `block` rows.

@@ -25,8 +25,8 @@ ResidualDistribution fit_residual_distribution(const Eigen::MatrixXd& residuals,
                                                const std::vector<int>& regions, const Bootstrap& bootstrap);
 
 /// The set around a forecast: `mean` and `scale` are N x tau, tau at most leads(). Standard deviations are
-/// floored at 0.1 (model, section 5); where `scale` is 0 the count is certain, up to a tiny deviation that keeps Sigma
-/// regular.
+/// floored at 0.1 (docs/model.md, section 5); where `scale` is 0 the count is certain, up to a tiny deviation that
+/// keeps Sigma regular.
 MomentSet moment_set(const ResidualDistribution& errors, const Eigen::MatrixXd& mean, const Eigen::MatrixXd& scale);
 
 /// What the innovation test multiplies standard deviations by (N): the root of a region's normalised innovation, or of

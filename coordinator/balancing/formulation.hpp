@@ -18,50 +18,57 @@
 //
 // whose equation labels stand in brackets, as mended where it does not hold as printed (docs/model.md, section 1).
 //
-// Regions i = 1..N; C: the regions with working points at some step. A superscript + is the next step. The data are
-// PlanningData (problem.hpp), r_hat, c_hat, c_low and laws of demand are UncertaintyModel (uncertainty_model.hpp).
+// Data are PlanningData and BalancingParameters (problem.hpp); r_hat, c_hat, c_low and the laws of demand are
+// UncertaintyModel (uncertainty_model.hpp). Regions i, j = 1..N, with C those where points work at some step; a + marks
+// the next step.
 //
-//   V vacant, O occupied (by destination), L low-battery, B plugged    at the start of a step; of the first: data
-//   S vacant, Y low-battery                                            after dispatch
-//   x_ij vacant and y_ij low-battery cars sent,  u_i plugged in,  e_i released,  z_i plugged in without a point
+//   V, O, L, B          vacant, occupied (by destination), low-battery and plugged cars at the start of a step
+//   S, Y                vacant and low-battery cars after dispatch
+//   x_ij, y_ij          vacant and low-battery cars sent from i to j; only on arcs, see below
+//   u_i, e_i            cars plugged in, and released
+//   z_i                 cars plugged in without a point, where an outage left fewer points than cars
 //
-//   x_ij >= 0, only where w_ij < m1, i != j; y_ij >= 0, only where w_ij < m2, i != j, j in C              arcs [bound]
-//      (and to the nearest region and station, whatever m1 and m2)
+//   constraint, where x, y, u, e, z >= 0                   row              written by         paper
 //
-//   S_i = V_i + sum_j x_ji - sum_j x_ij             "supply"                                    send_vacant() [trans]
-//   sum_j x_ij <= V_i                               "sent"
-//   Y_i = L_i + sum_j y_ji - sum_j y_ij             "low-battery"          send_low_battery()    [quality_charging_one]
-//   sum_j y_ij <= L_i                               "sent to charge"
+//   S_i = V_i + sum_j x_ji - sum_j x_ij                    "supply"         send_vacant        [trans]
+//   sum_j x_ij <= V_i                                      "sent"           send_vacant
+//   Y_i = L_i + sum_j y_ji - sum_j y_ij                    "low-battery"    send_low_battery   [quality_charging_one]
+//   sum_j y_ij <= L_i                                      "sent to charge" send_low_battery
+//   u_i <= Y_i                                             "plugged in"     charge
+//   u_i <= P_i - B_i + e_i + z_i                           "points"         charge
+//   u_i = z_i = 0  outside C                               bounds           charge
+//   e_i <= B_i                                             "released"       charge
+//   e_i <= c_low_i                                         bound            charge
+//   V+_i = sum_j Pv_ji S_j + sum_j Qv_ji O_j + e_i + aV_i  "V"              next_stock         [trans]
+//   O+_i = sum_j Po_ji S_j + sum_j Qo_ji O_j               "O"              next_stock         [trans]
+//   L+_i = Y_i - u_i + sum_j Pl_ji S_j + aL_i              "L"              next_stock         [con_charing]
+//   B+_i = B_i + u_i - e_i                                 "B"              next_stock
+//   Z_i >= (Y_i + eps)^(-a)                                curve of "Z"     utilisation        [thm1]
 //
-//   u_i <= Y_i                                      "plugged in"                                            charge()
-//   u_i <= P_i - B_i + e_i + z_i                    "points"          u_i = z_i = 0 outside C
-//   e_i <= B_i,  e_i <= c_low_i                     "released"
+//   Arcs (arcs.hpp, [bound]): x_ij where w_ij < m1, y_ij where w_ij < m2 and j in C, i != j; whatever m1 and m2, those
+//   to and from the nearest region and to the nearest station. aV, aL: cars without passengers that were under way and
+//   arrive in the step. By rows of P and Q that sum to one, V + O + L + B grows by these alone.
 //
-//   V+_i = sum_j Pv_ji S_j + sum_j Qv_ji O_j + e_i + aV_i      "V"                            next_stock()      [trans]
-//   O+_i = sum_j Po_ji S_j + sum_j Qo_ji O_j                   "O"                                              [trans]
-//   L+_i = Y_i - u_i + sum_j Pl_ji S_j + aL_i                  "L"                                        [con_charing]
-//   B+_i = B_i + u_i - e_i                                     "B"
-//      (aV, aL: cars under way without passengers that arrive in the step; V + O + L + B grows by these alone)
+//   objective, summed over steps and regions               term             written by         paper
 //
-//   min  sum over the steps of                                 term                                         [obj_final]
-//          sum_ij w_ij x_ij + beta sum_ij w_ij y_ij            "km"            send_*()                      [obj_dist]
-//          omega sum_i (Y_i - u_i)                             "queue"         charge()
-//          pi_e sum_i (c_low_i - e_i)                          "release"       charge()
-//          the price of too few vehicles in the regions        "shortage"      shortage_terms.cpp      [quality_region]
-//          the price of too many                               "surplus"       shortage_terms.cpp      [quality_region]
-//          1000 sum_i z_i                                      "penalty"       charge()
-//      + theta sup E[ sum_k sum_(i in C) c_i Z_i ]             "utilisation"   utilisation()     [quality_charging_one]
-//          Z_i >= (Y_i + eps)^(-a),   theta = theta_0 / a
+//   sum_j w_ij x_ij + beta sum_j w_ij y_ij                 "km"             send_...           [obj_dist]
+//   omega (Y_i - u_i)                                      "queue"          charge
+//   pi_e (c_low_i - e_i)                                   "release"        charge
+//   p_s E[(r_i - h S_i)_+]                                 "shortage"       shortage_terms.cpp [quality_region]
+//   p_o E[(l S_i - r_i)_+]                                 "surplus"        shortage_terms.cpp [quality_region]
+//   theta sup E[c_i Z_i],  theta = theta_0 / a             "utilisation"    utilisation        [quality_charging_one]
+//   1000 z_i                                               "penalty"        charge
+//
+//   The band l <= r_i / S_i <= h of [quality_region, quality_equ], h, l = rho (1 +- eta), is priced and no constraint,
+//   so that every demand has a plan; rho is the city's predicted demand per vacant car without dispatch. Which law E
+//   takes, and other forms of a shortage, is what sets the controllers apart (docs/controllers.md).
 //
 //   The supremum over the laws of c within the ambiguity set [uncertain_delta] is, over the whole horizon,
-//          c_hat'Z + sqrt(g) || Sigma_c^(1/2) Z ||,   g = min(g1, g2)
-//   written down by utilisation() and worst_case_utilisation(). It takes the place of Theorem 1 [thm1]:
-//   docs/theorem-1.md.
+//       c_hat'Z + sqrt(g) || Sigma_c^(1/2) Z ||,   g = min(g1, g2),
+//   the norm written by worst_case_utilisation. It takes the place of Theorem 1 [thm1] in the paper's problem
+//   [obj_final]: docs/theorem-1.md.
 //
-// The band l_i <= r_i / S_i <= h_i [quality_region, quality_equ] is not a constraint here, but priced, so that every
-// demand has a plan. How, is what sets controllers apart (docs/controllers.md): shortage_terms.cpp.
-//
-// Names in quotes are those that a certificate uses when a row is violated, with region and step: "supply[3], step 1".
+// A certificate calls a row that is violated by the name in quotes, with region and step from 0: "supply[3], step 1".
 
 namespace evbal {
 

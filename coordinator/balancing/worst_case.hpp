@@ -4,7 +4,8 @@
 
 namespace evbal {
 
-/// Worst expected shortage of one region (model, section 3), with two derivatives in its margin  d = supply - r_hat:
+/// Worst expected shortage of one region (docs/model.md, section 3), with two derivatives in its margin  d = supply -
+/// r_hat:
 ///
 ///     psi(d) = sup E[(delta - d)_+]   over all distributions with   E[delta]^2 <= g1 sigma^2,   E[delta^2] <= g2
 ///     sigma^2.

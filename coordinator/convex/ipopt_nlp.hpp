@@ -13,8 +13,8 @@ namespace evbal {
 ///
 ///     || Sigma^(1/2) Z || = min over t > 0 of (t + (Z' D^2 Z + f'f) / t) / 2,     f = F'Z,     Sigma = D^2 + F F',
 ///
-/// whose Hessian is an arrow instead of a full block (model, section 6). Variables: the program's, then for every norm
-/// t and f. Rows: the program's, then f - F'Z = 0, then function(of) - above <= 0.
+/// whose Hessian is an arrow instead of a full block (docs/model.md, section 6). Variables: the program's, then for
+/// every norm t and f. Rows: the program's, then f - F'Z = 0, then function(of) - above <= 0.
 class IpoptNlp final : public Ipopt::TNLP {
  public:
   using Index = Ipopt::Index;

@@ -11,7 +11,7 @@ namespace evbal {
 struct HeldOutDay;
 
 /// Variance of counts around their forecast m, as of a negative binomial: linear m + quadratic m^2, per step ahead, the
-/// last one for all further steps (model, section 4).
+/// last one for all further steps (docs/model.md, section 4).
 struct CountVariance {
   std::vector<double> linear;     ///< at least one, each >= 0
   std::vector<double> quadratic;  ///< as many, each >= 0

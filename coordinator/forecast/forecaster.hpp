@@ -26,7 +26,7 @@ class Forecaster {
   virtual Eigen::MatrixXd forecast(int minute, int tau) const = 0;
 
   /// Size of an ordinary forecast error of the same windows, N x tau, 0 where there is none: residuals divided by it
-  /// are alike at any time of the day (model, section 5).
+  /// are alike at any time of the day (docs/model.md, section 5).
   virtual Eigen::MatrixXd scale(int minute, int tau) const = 0;
 
   /// Of the last three steps up to `minute`, the last observation's.

@@ -22,7 +22,7 @@ struct Period {
   Transitions transitions;
 };
 
-/// Everything that `evbal fit` estimates of a city (model, sections 2 and 5).
+/// Everything that `evbal fit` estimates of a city (docs/model.md, sections 2 and 5).
 struct CityModel {
   std::string city;                   ///< name of the pack that it was fitted to
   int day_start = 0;                  ///< minute after midnight at which the seasonal means start

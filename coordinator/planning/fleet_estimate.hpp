@@ -18,8 +18,8 @@ struct EstimateModel {
 };
 
 /// The fleet as the coordinator believes it to be: what regions report, and where no report can be believed, the last
-/// uncertainty propagated by the model (model, section 2) and the plans made since. Between two plans a share of one
-/// step passes: of the transitions that share, of the charging sessions that which ends in the time.
+/// uncertainty propagated by the model (docs/model.md, section 2) and the plans made since. Between two plans a share
+/// of one step passes: of the transitions that share, of the charging sessions that which ends in the time.
 class FleetEstimate {
  public:
   explicit FleetEstimate(EstimateModel model);

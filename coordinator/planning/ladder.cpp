@@ -28,6 +28,15 @@ std::size_t steps_of(const Dispatch& dispatch) {
   return std::max(dispatch.vacant.size(), dispatch.low_battery.size());
 }
 
+std::vector<PlanCost> by_term(const std::vector<CostTerm>& terms) {
+  std::vector<PlanCost> costs;
+  costs.reserve(terms.size());
+  for (const auto& [name, cost] : terms) {
+    costs.push_back({name, cost});
+  }
+  return costs;
+}
+
 }  // namespace
 
 Ladder::Ladder(std::string controller, Balancer balancer)
@@ -62,7 +71,8 @@ Decision Ladder::solved(int minute, BalancingResult result, FallbackLevel level,
            .lower_bound = certificate.lower_bound,
            .gap = certificate.gap,
            .max_violation = certificate.max_violation,
-           .iterations = certificate.iterations}};
+           .iterations = certificate.iterations,
+           .costs = by_term(result.cost)}};
 }
 
 Decision Ladder::unsolved(int minute, const PlanningData& data, const std::string& reason) {

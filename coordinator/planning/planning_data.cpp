@@ -7,7 +7,7 @@
 namespace evbal {
 namespace {
 
-constexpr double least_deviation = 0.1;  ///< of an uncertain count (model, section 5)
+constexpr double least_deviation = 0.1;  ///< of an uncertain count (docs/model.md, section 5)
 
 /// Share of the sessions that last at most `minutes`; linear between the quantiles.
 double share_ended(const std::vector<double>& quantiles, double minutes) {

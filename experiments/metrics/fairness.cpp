@@ -9,7 +9,7 @@ namespace evbal {
 namespace {
 
 /// Drop-offs count as supply to this extent: a car that drops a passenger off during the window serves again there,
-/// but only for what is left of it (model, section 4).
+/// but only for what is left of it (docs/model.md, section 4).
 constexpr double phi = 0.6;
 
 double sum(std::span<const double> values) {

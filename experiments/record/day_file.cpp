@@ -57,6 +57,7 @@ struct DayFile::Tables {
         reports(database, "reports", row_of({}, Report{})),
         plans(database, "plans", row_of({}, Plan{})),
         moves(database, "moves", row_of(tick_key(0, 0), Move{})),
+        costs(database, "costs", row_of(tick_key(0, 0), PlanCost{})),
         rejections(database, "rejections", row_of(tick_key(0, 0), Rejection{})),
         departures(database, "departures", row_of({}, Departures{})),
         vehicles(database, "vehicles", row_of(region_key(0, 0, 0), Departure{})),
@@ -73,6 +74,7 @@ struct DayFile::Tables {
   Table reports;
   Table plans;
   Table moves;
+  Table costs;
   Table rejections;
   Table departures;
   Table vehicles;
@@ -131,6 +133,10 @@ void DayFile::Tables::add(const TickRecord& record) {
     plans.add(row_of({}, *record.exchange.plan));
     for (std::size_t i = 0; i < record.exchange.plan->moves.size(); ++i) {
       moves.add(row_of(tick_key(tick, i), record.exchange.plan->moves[i]));
+    }
+    const std::vector<PlanCost>& terms = record.exchange.plan->provenance.costs;
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+      costs.add(row_of(tick_key(tick, i), terms[i]));
     }
     const std::vector<Rejection>& rejected = record.exchange.plan->provenance.rejected;
     for (std::size_t i = 0; i < rejected.size(); ++i) {

@@ -71,6 +71,18 @@ int count_ticks(const fs::path& file) {
   return query.getColumn(0).getInt();
 }
 
+std::vector<PlanCost> mean_costs(const fs::path& file) {
+  const SQLite::Database database(file.string());
+  SQLite::Statement query(database,
+                          "SELECT term, sum(cost) / (SELECT count(DISTINCT tick) FROM costs) FROM costs "
+                          "GROUP BY term ORDER BY min(seq), term");
+  std::vector<PlanCost> costs;
+  while (query.executeStep()) {
+    costs.push_back({query.getColumn(0).getString(), query.getColumn(1).getDouble()});
+  }
+  return costs;
+}
+
 }  // namespace
 
 RecordedRun read_run(const fs::path& folder) {
@@ -90,6 +102,7 @@ RecordedRun read_marked_run(const fs::path& folder) {
       run.by_region[name] = by_region(column, run.regions);
     }
     run.ticks = count_ticks(folder / "run.sqlite");
+    run.plan_costs = mean_costs(folder / "run.sqlite");
     run.faults = read_faults(folder / "run.sqlite");
   } catch (const nlohmann::json::exception& error) {
     throw bad_input((folder / "summary.json").string() + ": " + error.what());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "agents/protocol/messages.hpp"
 #include "common/eigen.hpp"
 #include "experiments/record/recorded_fault.hpp"
 
@@ -32,6 +33,7 @@ struct RecordedRun {
   std::map<std::string, std::vector<double>> steps;  ///< columns of steps.csv, but for `start`
   std::map<std::string, Eigen::MatrixXd> by_region;  ///< columns of regions.csv but for `start`, regions x steps
   int ticks = 0;
+  std::vector<PlanCost> plan_costs;  ///< by term, the mean over the plans that were solved for
   std::vector<RecordedFault> faults;
 };
 

@@ -104,6 +104,7 @@ struct IdlType {
   std::string operator()(const Effect& /*of*/) const { return "Effect"; }
   std::string operator()(const Move& /*of*/) const { return "Move"; }
   std::string operator()(const Rejection& /*of*/) const { return "Rejection"; }
+  std::string operator()(const PlanCost& /*of*/) const { return "PlanCost"; }
   std::string operator()(const Departure& /*of*/) const { return "Departure"; }
   std::string operator()(const Fate& /*of*/) const { return "Fate"; }
   std::string operator()(const Observed& /*of*/) const { return "Observed"; }
@@ -134,6 +135,7 @@ TEST(Idl, NamesTheFieldsOfEachStruct) {
   EXPECT_EQ(idl_of.at("Report"), declared<Report>());
   EXPECT_EQ(idl_of.at("Move"), declared<Move>());
   EXPECT_EQ(idl_of.at("Rejection"), declared<Rejection>());
+  EXPECT_EQ(idl_of.at("PlanCost"), declared<PlanCost>());
   EXPECT_EQ(idl_of.at("Provenance"), declared<Provenance>());
   EXPECT_EQ(idl_of.at("Departure"), declared<Departure>());
   EXPECT_EQ(idl_of.at("Fate"), declared<Fate>());

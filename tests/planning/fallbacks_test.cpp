@@ -118,6 +118,11 @@ TEST(RecedingHorizonPlanner, ComesDownTheLadderAndUpAgain) {
       EXPECT_EQ(plan.provenance.controller, "robust");
       EXPECT_EQ(plan.provenance.reason.empty(), fail.empty());
       EXPECT_LE(plan.provenance.gap, 1e-6);
+      double sum = 0.0;
+      for (const PlanCost& cost : plan.provenance.costs) {
+        sum += cost.cost;
+      }
+      EXPECT_NEAR(sum, plan.provenance.objective, 1e-9 * std::max(1.0, sum));
       EXPECT_EQ(plan.provenance.engine, plan.provenance.fallback <= FallbackLevel::nominal ? engine : "");
       return plan.provenance.fallback;
     };

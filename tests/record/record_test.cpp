@@ -106,6 +106,7 @@ TEST_F(Record, DigestKnowsWhatWasSaidAndNotByWhom) {
   EXPECT_EQ(digest, written("a").digest);
   day[1].exchange.departures[0].origin = {.process_id = 77, .seconds = 3.0};
   day[2].exchange.plan->origin.process_id = 78;
+  day[2].exchange.plan->provenance.costs = {{.term = "km", .cost = 3.0}};
   EXPECT_EQ(digest_of(day), digest);
   day[3].exchange.departures[0].fates[0].waited = 12;
   EXPECT_NE(digest_of(day), digest);

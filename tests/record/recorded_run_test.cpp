@@ -32,6 +32,24 @@ TEST(RecordedRun, SeesSolverFaultsInThePlansThatFellBack) {
   EXPECT_EQ(faults[0].amount, (std::map<int, double>{{0, 1.0}}));
 }
 
+TEST(RecordedRun, GivesTheMeanPlanCostByTerm) {
+  const Folder folder;
+  auto day = small_day();
+  day[0].exchange.plan->provenance.costs = {{"km", 3.0}, {"shortage", 8.0}};
+  day[2].exchange.plan->provenance.costs = {{"km", 5.0}};
+  RunRecord record(folder.path() / "run", small_header());
+  for (const auto& tick : day) {
+    record.add(tick);
+  }
+  record.finish();
+  const auto costs = read_run(folder.path() / "run").plan_costs;
+  ASSERT_EQ(costs.size(), 2U);
+  EXPECT_EQ(costs[0].term, "km");
+  EXPECT_EQ(costs[0].cost, 4.0);
+  EXPECT_EQ(costs[1].term, "shortage");
+  EXPECT_EQ(costs[1].cost, 4.0);
+}
+
 TEST(RecordedRun, GivesRegionsAndFaultsBack) {
   const Folder folder;
   const auto run_folder = folder.path() / "run";

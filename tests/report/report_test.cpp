@@ -16,6 +16,7 @@ ReportedRun small_run(const std::string& controller) {
   run.day_start = "05:00";
   run.step_minutes = 30;
   run.totals = {{"idle_km", 12.5}};
+  run.plan_costs = {{"km", 4.5}};
   run.steps = {{"step", {0, 1}}, {"idle_km", {5.25, 7.25}}};
   run.faults = {{{.name = "spike", .type = "demand.scale", .start = 30, .end = 60}}};
   return run;
@@ -33,6 +34,7 @@ TEST(Report, HoldsTheRunsAndEveryFaultOnce) {
   const std::string page = report_page({.runs = {small_run("nominal"), small_run("robust")}});
   EXPECT_NE(page.find("\"idle_km\":[5.25,7.25]"), std::string::npos);
   EXPECT_NE(page.find("\"label\":\"robust\""), std::string::npos);
+  EXPECT_NE(page.find("\"plan_costs\":[{\"term\":\"km\",\"cost\":4.5}]"), std::string::npos);
   EXPECT_NE(page.find("\"windows\":[{\"name\":\"spike\",\"start\":30,\"end\":60}],"), std::string::npos);
 }
 

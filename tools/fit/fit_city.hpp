@@ -28,11 +28,11 @@ struct CityFit {
   int lost = 0;               ///< likewise
 };
 
-/// Estimates everything that CityModel holds from the city's training days, for `leads` steps ahead (model, sections 2,
-/// 4 and 5): demand from the records; completions and transitions from the plant, which plays those days under `greedy`
-/// without faults; phi is the best of several with which `turnover` plays some of them. Test days are forecast, and
-/// nothing is fitted to them. Deterministic. `tell` gets a line on what is done next. Throws Error{bad_input} with
-/// fewer than three training days.
+/// Estimates everything that CityModel holds from the city's training days, for `leads` steps ahead (docs/model.md,
+/// sections 2, 4 and 5): demand from the records; completions and transitions from the plant, which plays those days
+/// under `greedy` without faults; phi is the best of several with which `turnover` plays some of them. Test days are
+/// forecast, and nothing is fitted to them. Deterministic. `tell` gets a line on what is done next. Throws
+/// Error{bad_input} with fewer than three training days.
 CityFit fit_city(const City& city, int leads, const std::function<void(const std::string&)>& tell);
 
 }  // namespace evbal

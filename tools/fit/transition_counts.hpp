@@ -7,7 +7,7 @@
 
 namespace evbal {
 
-/// What a vehicle is for the balancing problem (model, section 2). Cars under way count at their destination.
+/// What a vehicle is for the balancing problem (docs/model.md, section 2). Cars under way count at their destination.
 enum class CarState { vacant, low_battery, plugged, occupied, rebalancing, to_charger };
 
 struct CarPlace {

@@ -10,7 +10,7 @@
 
 namespace evbal {
 
-/// When a vehicle that stands near a station is taken to charge (model, section 5, "Charging events from GPS").
+/// When a vehicle that stands near a station is taken to charge (docs/model.md, section 5, "Charging events from GPS").
 struct ChargingRule {
   double within_m = 200.0;    ///< metres from the station
   double longer_than = 30.0;  ///< minutes, without passengers

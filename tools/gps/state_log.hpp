@@ -27,7 +27,7 @@ class RegionMap {
   double snap_m_;
 };
 
-/// Region transitions by time of day, counted from what single vehicles did (model, section 2).
+/// Region transitions by time of day, counted from what single vehicles did (docs/model.md, section 2).
 class TransitionCounter {
  public:
   /// Counts nothing yet.

@@ -110,7 +110,11 @@ Json run_json(const ReportedRun& run, const std::string& label) {
                {"wall_seconds", run.wall_seconds},
                {"totals", run.totals},
                {"steps", run.steps},
+               {"plan_costs", Json::array()},
                {"faults", Json::array()}};
+  for (const auto& [term, cost] : run.plan_costs) {
+    json["plan_costs"].push_back({{"term", term}, {"cost", cost}});
+  }
   for (const auto& fault : run.faults) {
     json["faults"].push_back(fault_json(run, fault));
   }

@@ -19,7 +19,7 @@ namespace evbal {
 /// cone as a semidefinite block and the variables in the order v, t, q, Q's upper triangle by rows.
 std::string inner_problem(const MomentSet& set, const Eigen::VectorXd& h);
 
-/// What the project uses in its place (model, section 3):  h'mean + sqrt(min(g1, g2)) || Sigma^(1/2) h ||.
+/// What the project uses in its place (docs/model.md, section 3):  h'mean + sqrt(min(g1, g2)) || Sigma^(1/2) h ||.
 double closed_form(const MomentSet& set, const Eigen::VectorXd& h);
 
 }  // namespace evbal

@@ -150,9 +150,13 @@ async function checkRun(files) {
   const hours = rowsOf(fileOf(cardOf("Lost passengers"), "CSV")).filter(row => row.series === "nominal");
   hours.forEach((hour, i) =>
     same(Number(hour["passengers per hour"]), +steps[2 * i].lost + +steps[2 * i + 1].lost, hour.name));
+  const costs = ["km", "queue", "release", "shortage", "surplus", "utilisation", "penalty", "objective"].map(
+    term => Number(cellBeside(term).replaceAll(",", "")));
+  check(costs[0] > 0, "plans that drive cost no km");
+  check(Math.abs(d3.sum(costs.slice(0, -1)) - costs.at(-1)) < 0.5, "the terms", ...costs, "do not sum to the objective");
   const faults = rowsOf(files.faults);
-  const costs = [...document.querySelectorAll("h3")].find(head => head.textContent.startsWith("What they cost"));
-  const shown = costs.nextSibling.tBodies[0].rows;
+  const paid = [...document.querySelectorAll("h3")].find(head => head.textContent.startsWith("What they cost"));
+  const shown = paid.nextSibling.tBodies[0].rows;
   faults.forEach((row, i) => same(shown[i].cells[3].textContent, brief(Number(row.cost)), "cost of", row.metric));
   checkMap(regions);
   checkColoursOfMap(regions);

@@ -42,6 +42,20 @@ TEST(Run, LeavesACompleteDirectoryAndATable) {
   EXPECT_NE(ended.err.find("[outage]"), std::string::npos) << ended.err;
 }
 
+TEST(Run, RecordsWhatAPlanCostsByTerm) {
+  const CommandLine line;
+  ASSERT_EQ(line.evbal("run morning.yaml --out a --quiet").status, 0);
+  const SQLite::Database database((line.path() / "a" / "run.sqlite").string());
+  SQLite::Statement query(database,
+                          "SELECT count(*), max(abs(provenance_objective - (SELECT sum(cost) FROM costs WHERE "
+                          "costs.tick = plans.tick))), min(provenance_objective) FROM plans");
+  ASSERT_TRUE(query.executeStep());
+  EXPECT_GT(query.getColumn(0).getInt(), 0);
+  ASSERT_TRUE(query.getColumn(1).isFloat());
+  EXPECT_LT(query.getColumn(1).getDouble(), 1e-6);
+  EXPECT_GT(query.getColumn(2).getDouble(), 0.0);
+}
+
 TEST(Run, IsPairedWithTheSameDayWithoutFaults) {
   const CommandLine line;
   const Ended ended = line.evbal("run morning.yaml --out a");

@@ -84,6 +84,18 @@ function totalsTable() {
   ]));
 }
 
+// What the plans weighed, term by term, a column a run that solved.
+function planCosts() {
+  const solved = report.runs.map((run, i) => ({run, i})).filter(({run}) => run.plan_costs.length > 0);
+  const terms = [...new Set(solved.flatMap(({run}) => run.plan_costs.map(one => one.term)))];
+  const costOf = (run, term) => run.plan_costs.find(one => one.term === term)?.cost;
+  const head = ["term", ...solved.map(({run, i}) => element("th", "", swatch(i), run.label))];
+  const shown = (run, term) => costOf(run, term) === undefined ? "" : number(costOf(run, term), 1);
+  const rows = terms.map(term => [term, ...solved.map(({run}) => shown(run, term))]);
+  const sums = solved.map(({run}) => number(sum(run.plan_costs.map(one => one.cost)), 1));
+  return {any: solved.length > 0, table: () => table(head, [...rows, ["objective", ...sums]])};
+}
+
 const dayAxis = () => ({label: "time of day", clock: true,
   domain: [dayStart, dayStart + report.step_minutes * report.runs[0].steps.step.length]});
 
@@ -114,6 +126,11 @@ function addRuns() {
   const words = number(first.regions) + " regions, " + number(first.fleet) + " vehicles, seed " + first.seed + ".";
   section(weekday, element("p", "", words), element("div", "card wide", totalsTable()), runNotes());
   section("Hour by hour", figures(hourly.map(one => figure(one.title, one.note, () => hourlyChart(one)))));
+  const costs = planCosts();
+  if (costs.any) {
+    section("What a plan costs", element("p", "", "The objective over the horizon by term, mean over the day's plans, in "
+      + "km of empty driving."), element("div", "card wide", costs.table()));
+  }
   if (report.windows.length > 0) {
     addFaults();
   }
