@@ -5,7 +5,7 @@
 
 namespace evbal {
 
-/// What becomes of packets between each agent and the other processes, below the middleware, in either direction.
+/// What becomes of packets between each agent and the other processes, below DDS, in either direction.
 struct NetworkConditions {
   double loss = 0.0;      ///< probability that a packet is lost, at most 0.5
   double delay_ms = 0.0;  ///< by which every other one comes later, at most 1000

@@ -26,7 +26,7 @@ struct Scenario {
       Schedule{}};              ///< of the faults, as many as the schedule's `runs`; `schedule` is the first
   std::string transport;        ///< "dds" or "inproc"
   int regions_per_process = 1;  ///< regions that one evbal-agent hosts
-  std::optional<NetworkConditions> network{};  ///< on the bus, below the middleware
+  std::optional<NetworkConditions> network{};  ///< on the bus, below DDS
   std::vector<Expect> expect;                  ///< what shall hold of the result
 };
 

@@ -137,7 +137,7 @@ int main(int argc, char** argv) {
     sizes.clear();
     std::transform(argv + 1, argv + argc, std::back_inserter(sizes), [](const char* size) { return std::atoi(size); });
   }
-  std::printf(R"(# What a plan costs
+  std::printf(R"(# Solver time and memory
 
 Made by `build/release/bin/evbal-bench > docs/performance.md` on %s, one thread at a time: one plan of the
 controller `robust` for a random city (out-degree 12, 10 vacant cars a region, stations in two regions of five).
