@@ -23,8 +23,9 @@ struct Decision {
   Provenance provenance;  ///< without the engine's name
 };
 
-/// The fallback ladder (docs/model.md, section 4): the controller itself, else nominal, else the step of the last plan that was
-/// solved which covers the minute, else nobody moves. A step's vehicles are sent once, by the first decision in it.
+/// The fallback ladder (docs/model.md, section 4): the controller itself, else nominal, else the step of the last plan
+/// that was solved which covers the minute, else nobody moves. A step's vehicles are sent once, by the first decision
+/// in it.
 class Ladder {
  public:
   Ladder(std::string controller, Balancer balancer);

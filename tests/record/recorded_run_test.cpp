@@ -42,6 +42,7 @@ TEST(RecordedRun, GivesTheMeanPlanCostByTerm) {
     record.add(tick);
   }
   record.finish();
+  mark_complete(folder.path() / "run");
   const auto costs = read_run(folder.path() / "run").plan_costs;
   ASSERT_EQ(costs.size(), 2U);
   EXPECT_EQ(costs[0].term, "km");

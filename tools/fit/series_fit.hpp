@@ -29,7 +29,8 @@ struct SeriesFit {
   std::vector<ThresholdRow> thresholds;  ///< by N_B; none if no region varies
 };
 
-/// Fits forecasts and the distribution of their errors for `leads` steps ahead (docs/model.md, section 5). Only `regions` vary.
+/// Fits forecasts and the distribution of their errors for `leads` steps ahead (docs/model.md, section 5). Only
+/// `regions` vary.
 SeriesFit fit_series(const SeriesDays& days, int step_minutes, int leads, const std::vector<int>& regions);
 
 }  // namespace evbal
