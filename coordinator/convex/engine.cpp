@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 
 namespace evbal {
 namespace {
@@ -18,20 +17,6 @@ struct NamedEngine {
 };
 
 constexpr std::array engines = {NamedEngine{"ipopt", solve_with_ipopt}, NamedEngine{"cuts", solve_with_cuts}};
-
-class OneSolveAtATime {
- public:
-  OneSolveAtATime() {
-    const bool was_busy = busy_.exchange(true);
-    EVBAL_EXPECT(!was_busy, "one solve at a time in a process");
-  }
-  OneSolveAtATime(const OneSolveAtATime&) = delete;
-  OneSolveAtATime& operator=(const OneSolveAtATime&) = delete;
-  ~OneSolveAtATime() { busy_ = false; }
-
- private:
-  static inline std::atomic<bool> busy_ = false;
-};
 
 // Why no engine may be given this program; empty if any may.
 std::string unfit(const ConvexProgram& program) {
@@ -59,7 +44,6 @@ Solution solve(const ConvexProgram& program, const EngineSettings& settings) {
   }
   const auto* engine = std::ranges::find_if(engines, [&](const auto& e) { return e.name == settings.name; });
   EVBAL_EXPECT(engine != engines.end(), "the name of an engine");
-  const OneSolveAtATime alone;
   if (const std::string why_not = unfit(program); !why_not.empty()) {
     return {{}, refusal(why_not, SolveStatus::refused)};
   }

@@ -32,9 +32,9 @@ struct EngineSettings {
 /// Solves a program. Never throws for what the program holds: a failure is a certificate that says why, and so is a
 /// program with a number that is not finite or beyond `largest_number`, on which the libraries below end the process.
 ///
-/// `settings.name` is one of engine_names(). One solve at a time in a process, whatever the engine: the linear solver
-/// of Ipopt (MUMPS) keeps its state in globals. A second one that starts meanwhile ends the process; solve in processes
-/// of their own instead.
+/// `settings.name` is one of engine_names(). `cuts` may solve in several threads, a program in each. `ipopt` may not:
+/// its linear solver (MUMPS) keeps its state in globals, so that a second solve that starts meanwhile ends the process;
+/// solve in processes of their own instead.
 Solution solve(const ConvexProgram& program, const EngineSettings& settings);
 
 /// The engines that there are.

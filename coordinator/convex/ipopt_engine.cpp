@@ -1,5 +1,6 @@
 #include "coordinator/convex/ipopt_engine.hpp"
 
+#include "common/contract.hpp"
 #include "coordinator/convex/certificate.hpp"
 #include "coordinator/convex/ipopt_nlp.hpp"
 #include "coordinator/convex/linear_program.hpp"
@@ -8,10 +9,26 @@
 #include <coin/IpIpoptApplication.hpp>
 #include <coin/IpSolveStatistics.hpp>
 
+#include <atomic>
 #include <string>
 
 namespace evbal {
 namespace {
+
+// MUMPS keeps its state in globals.
+class OneSolveAtATime {
+ public:
+  OneSolveAtATime() {
+    const bool was_busy = busy_.exchange(true);
+    EVBAL_EXPECT(!was_busy, "one solve by Ipopt at a time in a process");
+  }
+  OneSolveAtATime(const OneSolveAtATime&) = delete;
+  OneSolveAtATime& operator=(const OneSolveAtATime&) = delete;
+  ~OneSolveAtATime() { busy_ = false; }
+
+ private:
+  static inline std::atomic<bool> busy_ = false;
+};
 
 // Measured on this problem: Mehrotra's predictor-corrector takes about half the iterations of the default, and the
 // fill-in of MUMPS's approximate minimum fill (2) is the least of its orderings.
@@ -107,6 +124,7 @@ double lower_bound(const ConvexProgram& program, const Eigen::VectorXd& x) {
 }  // namespace
 
 Solution solve_with_ipopt(const ConvexProgram& program, const EngineSettings& settings) {
+  const OneSolveAtATime alone;
   const Attempt found = safeguarded(program, settings.max_iterations);
   Solution solution;
   if (found.status == Ipopt::Solve_Succeeded) {

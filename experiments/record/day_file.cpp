@@ -57,7 +57,7 @@ struct DayFile::Tables {
         reports(database, "reports", row_of({}, Report{})),
         plans(database, "plans", row_of({}, Plan{})),
         moves(database, "moves", row_of(tick_key(0, 0), Move{})),
-        costs(database, "costs", row_of(tick_key(0, 0), PlanCost{})),
+        costs(database, "plan_costs", row_of(tick_key(0, 0), PlanCost{})),
         rejections(database, "rejections", row_of(tick_key(0, 0), Rejection{})),
         departures(database, "departures", row_of({}, Departures{})),
         vehicles(database, "vehicles", row_of(region_key(0, 0, 0), Departure{})),

@@ -74,7 +74,7 @@ int count_ticks(const fs::path& file) {
 std::vector<PlanCost> mean_costs(const fs::path& file) {
   const SQLite::Database database(file.string());
   SQLite::Statement query(database,
-                          "SELECT term, sum(cost) / (SELECT count(DISTINCT tick) FROM costs) FROM costs "
+                          "SELECT term, sum(cost) / (SELECT count(DISTINCT tick) FROM plan_costs) FROM plan_costs "
                           "GROUP BY term ORDER BY min(seq), term");
   std::vector<PlanCost> costs;
   while (query.executeStep()) {

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <future>
 #include <limits>
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace evbal {
 namespace {
@@ -150,15 +152,24 @@ TEST_P(EachEngine, SaysThatItsBudgetWasNone) {
   EXPECT_NE(certificate.reason, "");
 }
 
-using EveryEngineDeathTest = EachEngine;
-INSTANTIATE_TEST_SUITE_P(Engine, EveryEngineDeathTest, ::testing::ValuesIn(engine_names()));
-
-TEST_P(EveryEngineDeathTest, RefusesASolveWithinASolve) {
-  const auto curve = [this](double at) {
-    solved(linear(1.0, 1.0, 1.0));
+TEST(IpoptDeathTest, RefusesASolveWithinASolve) {
+  const auto curve = [](double at) {
+    solve(linear(1.0, 1.0, 1.0), {.name = "ipopt"});
     return parabola(at);
   };
-  EXPECT_DEATH(solved(least_of(curve)), "one solve at a time");
+  EXPECT_DEATH(solve(least_of(curve), {.name = "ipopt"}), "one solve by Ipopt at a time");
+}
+
+TEST(Cuts, SolvesInSeveralThreads) {
+  const auto objective = [] { return solve(least_of(parabola), {.name = "cuts"}).certificate.objective; };
+  const double alone = objective();
+  std::vector<std::future<double>> beside;
+  for (int thread = 0; thread < 4; ++thread) {
+    beside.push_back(std::async(std::launch::async, objective));
+  }
+  for (auto& result : beside) {
+    EXPECT_EQ(result.get(), alone);
+  }
 }
 
 }  // namespace
