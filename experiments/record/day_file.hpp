@@ -30,7 +30,7 @@ struct RequestedFault {
 ///     reports     tick, region, vacant, ..., bound, ...      bound: "minute:errand:count" of the cars on their way
 ///     plans       tick, provenance_controller, ...
 ///     moves       tick, seq, from_region, to_region, count, errand      what plans ask for
-///     costs       tick, seq, term, cost                      the plan's objective by term
+///     plan_costs  tick, seq, term, cost                      the plan's objective by term
 ///     rejections  tick, seq, region, reason                  reports that the plan was not made from
 ///     departures  tick, region, refused, demand, ...         what became of the region in the tick
 ///     vehicles    tick, region, seq, minute, to_region, errand, vehicle_id, km, ...      who set off

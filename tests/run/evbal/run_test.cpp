@@ -47,8 +47,8 @@ TEST(Run, RecordsWhatAPlanCostsByTerm) {
   ASSERT_EQ(line.evbal("run morning.yaml --out a --quiet").status, 0);
   const SQLite::Database database((line.path() / "a" / "run.sqlite").string());
   SQLite::Statement query(database,
-                          "SELECT count(*), max(abs(provenance_objective - (SELECT sum(cost) FROM costs WHERE "
-                          "costs.tick = plans.tick))), min(provenance_objective) FROM plans");
+                          "SELECT count(*), max(abs(provenance_objective - (SELECT sum(cost) FROM plan_costs "
+                          "WHERE plan_costs.tick = plans.tick))), min(provenance_objective) FROM plans");
   ASSERT_TRUE(query.executeStep());
   EXPECT_GT(query.getColumn(0).getInt(), 0);
   ASSERT_TRUE(query.getColumn(1).isFloat());
