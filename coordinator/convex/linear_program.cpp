@@ -115,7 +115,7 @@ std::shared_ptr<ClpSimplex> LinearProgram::load() const {
 // is multiplied by ten times the largest value of the optimum, as if those variables reached that far.
 double LinearProgram::lower_bound(const ClpSimplex& solved) const {
   const Eigen::Map<const Eigen::VectorXd> x(solved.primalColumnSolution(), columns());
-  const double reach = 10.0 * std::max(1.0, x.cwiseAbs().maxCoeff());
+  const double reach = 10.0 * std::max(1.0, x.lpNorm<Eigen::Infinity>());
   const auto least = [reach](double price, double low, double high) {
     return price * (price > 0.0 ? std::max(low, -reach) : std::min(high, reach));
   };
