@@ -17,14 +17,15 @@ namespace evbal {
 
 /// Who wrote a message and what it cost.
 struct Origin {
-  std::int64_t process_id = 0;
-  double seconds = 0.0;  ///< CPU seconds spent on making it
+  std::int64_t process_id = 0;  ///< of the writer, as the operating system counts
+  double seconds = 0.0;         ///< CPU seconds spent on making it
 };
 
+/// A vehicle on its way from region to region.
 struct Vehicle {
-  std::int32_t id = 0;
+  std::int32_t id = 0;        ///< from 0, in the whole fleet
   std::int32_t sessions = 0;  ///< charging sessions begun so far; keys the stream of the next one
-  double battery_kwh = 0.0;
+  double battery_kwh = 0.0;   ///< charge
 };
 
 /// Why a vehicle is on the road.
@@ -36,18 +37,18 @@ enum class Errand : std::uint8_t {
 
 /// A vehicle that the roads hand to a region.
 struct Arrival {
-  std::int32_t region = 0;
-  std::int32_t minute = 0;
-  Errand errand = Errand::passenger;
-  Vehicle vehicle;
+  std::int32_t region = 0;            ///< where it arrives
+  std::int32_t minute = 0;            ///< when it arrives
+  Errand errand = Errand::passenger;  ///< why it comes
+  Vehicle vehicle;                    ///< itself
 };
 
 /// Cars bound for a region that have not arrived yet.
 struct UnderWay {
-  std::int32_t region = 0;
-  std::int32_t minute = 0;  ///< when they arrive
-  Errand errand = Errand::passenger;
-  std::int32_t count = 0;
+  std::int32_t region = 0;            ///< they are bound for
+  std::int32_t minute = 0;            ///< when they arrive
+  Errand errand = Errand::passenger;  ///< why they come
+  std::int32_t count = 0;             ///< vehicles
 };
 
 /// What a fault does. By family, in the order of FaultFamily, but for the solver's, which come last.
@@ -86,6 +87,7 @@ enum class FaultFamily {
   solver,   ///< the coordinator's engine
 };
 
+/// The family that an effect belongs to.
 constexpr FaultFamily family_of(EffectType type) {
   return type <= EffectType::travel_slow         ? FaultFamily::world
          : type <= EffectType::sensor_off        ? FaultFamily::sensor
@@ -123,28 +125,28 @@ constexpr std::int32_t no_region = -1;
 
 /// One fault's effect on one region, or on the coordinator or the injector, during one tick.
 struct Effect {
-  std::int32_t fault = 0;  ///< position in the resolved schedule
-  EffectType type = EffectType::demand_scale;
-  std::int32_t region = 0;  ///< of an agent its region; no_region for coordinator and injector
-  double magnitude = 0.0;
-  OnStart on_start = OnStart::drain;
-  bool visible = true;                       ///< whether reports and forecasters are told
-  std::int32_t to = no_region;               ///< destination, of demand_shift
-  ReportField field = ReportField::none;     ///< of sensor faults
-  ProcessRole process = ProcessRole::agent;  ///< of process faults
-  NetworkTopic topic = NetworkTopic::all;    ///< of network faults
+  std::int32_t fault = 0;                      ///< position in the resolved schedule
+  EffectType type = EffectType::demand_scale;  ///< what it does
+  std::int32_t region = 0;                     ///< of an agent its region; no_region for coordinator and injector
+  double magnitude = 0.0;                      ///< see EffectType
+  OnStart on_start = OnStart::drain;           ///< of charger_outage
+  bool visible = true;                         ///< whether reports and forecasters are told
+  std::int32_t to = no_region;                 ///< destination, of demand_shift
+  ReportField field = ReportField::none;       ///< of sensor faults
+  ProcessRole process = ProcessRole::agent;    ///< of process faults
+  NetworkTopic topic = NetworkTopic::all;      ///< of network faults
 };
 
 /// Injector to conductor: the effects that are active during a tick.
 struct Faults {
-  std::int32_t tick = 0;
+  std::int32_t tick = 0;        ///< from 0
   std::vector<Effect> effects;  ///< of all families, by (fault, region)
-  Origin origin;
+  Origin origin;                ///< who wrote it
 };
 
 /// Conductor to all: a tick begins.
 struct Tick {
-  std::int32_t tick = 0;
+  std::int32_t tick = 0;                ///< from 0
   bool plan_due = false;                ///< and the coordinator is there
   std::vector<std::int32_t> due;        ///< regions that are waited for, ascending
   std::vector<std::int32_t> unheard;    ///< those of them whose report does not reach the coordinator in time
@@ -157,25 +159,25 @@ struct Tick {
 
 /// Agent to coordinator, if a plan is due: the region before anything moves.
 struct Report {
-  std::int32_t tick = 0;
-  std::int32_t region = 0;
-  std::int32_t vacant = 0;
-  std::int32_t low_battery = 0;  ///< waiting, in the queue or where there is no station
-  std::int32_t plugged = 0;
+  std::int32_t tick = 0;                    ///< that the plan is due in
+  std::int32_t region = 0;                  ///< that is reported
+  std::int32_t vacant = 0;                  ///< vehicles without passengers, with charge enough
+  std::int32_t low_battery = 0;             ///< waiting, in the queue or where there is no station
+  std::int32_t plugged = 0;                 ///< vehicles at charging points
   std::int32_t points = 0;                  ///< working points, as far as they are visible
   std::int32_t waiting = 0;                 ///< passengers
   std::int32_t demand = 0;                  ///< passengers who appeared since the region's last report
   std::int32_t completions = 0;             ///< sessions that ended charged since the last report
   std::vector<std::int32_t> plugged_since;  ///< minute at which each plugged car began, ascending
   std::vector<UnderWay> bound;              ///< arrivals of this tick and cars under way to here, by (minute, errand)
-  Origin origin;
+  Origin origin;                            ///< who wrote it
 };
 
 /// An order to send `count` vehicles.
 struct Move {
-  std::int32_t from = 0;
-  std::int32_t to = 0;
-  std::int32_t count = 0;
+  std::int32_t from = 0;              ///< region
+  std::int32_t to = 0;                ///< region
+  std::int32_t count = 0;             ///< vehicles, at least 1
   Errand errand = Errand::rebalance;  ///< rebalance or charge
 };
 
@@ -190,8 +192,9 @@ enum class FallbackLevel : std::uint8_t {
 /// A report that was not believed, or did not come.
 struct Rejection {
   std::int32_t region = 0;  ///< that it says it is of
-  std::string reason;
+  std::string reason;       ///< in a few words
 
+  /// Field by field.
   bool operator==(const Rejection&) const = default;
 };
 
@@ -203,15 +206,15 @@ struct PlanCost {
 
 /// What made a plan and how good it is.
 struct Provenance {
-  std::string controller;
-  std::string engine;
-  FallbackLevel fallback = FallbackLevel::none;
-  std::string reason;  ///< why there was a fallback; empty without
-  double objective = 0.0;
-  double lower_bound = 0.0;
-  double gap = 0.0;            ///< relative, of the solve's certificate
-  double max_violation = 0.0;  ///< of any constraint, recomputed from the model
-  std::int32_t iterations = 0;
+  std::string controller;                        ///< its name
+  std::string engine;                            ///< its name; empty if nothing was solved
+  FallbackLevel fallback = FallbackLevel::none;  ///< how far down the ladder
+  std::string reason;                            ///< why there was a fallback; empty without
+  double objective = 0.0;                        ///< km
+  double lower_bound = 0.0;                      ///< km, on the objective
+  double gap = 0.0;                              ///< relative, of the solve's certificate
+  double max_violation = 0.0;                    ///< of any constraint, recomputed from the model
+  std::int32_t iterations = 0;                   ///< of the engine
   double demand_widened = 1.0;        ///< by the innovation test: the largest factor on a region's standard deviation
   double completions_widened = 1.0;   ///< likewise
   std::vector<Rejection> rejected{};  ///< by region; these regions stand in the plan as the coordinator estimates them
@@ -220,60 +223,60 @@ struct Provenance {
 
 /// Coordinator to all.
 struct Plan {
-  std::int32_t tick = 0;
+  std::int32_t tick = 0;    ///< that it is made for
   std::vector<Move> moves;  ///< by (errand, from, to), counts at least 1
-  Provenance provenance;
-  Origin origin;
+  Provenance provenance;    ///< what made it
+  Origin origin;            ///< who wrote it
 };
 
 /// A vehicle that leaves a region.
 struct Departure {
-  std::int32_t minute = 0;
-  std::int32_t to = 0;
-  std::int32_t arrival_minute = 0;
-  Errand errand = Errand::passenger;
-  Vehicle vehicle;
-  double km = 0.0;
+  std::int32_t minute = 0;            ///< when it leaves
+  std::int32_t to = 0;                ///< region
+  std::int32_t arrival_minute = 0;    ///< when it arrives
+  Errand errand = Errand::passenger;  ///< why it leaves
+  Vehicle vehicle;                    ///< with the charge it will arrive with
+  double km = 0.0;                    ///< of the way
 };
 
 /// What became of a passenger, said in the tick in which it was settled.
 struct Fate {
-  std::int32_t appeared = 0;  ///< minute
-  std::int32_t destination = 0;
-  std::int32_t waited = 0;  ///< minutes
-  bool served = false;
-  std::int32_t vehicle = -1;  ///< who served, -1 if lost
+  std::int32_t appeared = 0;     ///< minute
+  std::int32_t destination = 0;  ///< region
+  std::int32_t waited = 0;       ///< minutes
+  bool served = false;           ///< else lost
+  std::int32_t vehicle = -1;     ///< who served, -1 if lost
 };
 
 /// What a fault was seen to do in a region during a tick.
 struct Observed {
-  std::int32_t fault = 0;
+  std::int32_t fault = 0;  ///< position in the resolved schedule
   /// Passengers added, removed or redirected; points closed or blocked; vehicles out of order; kWh not charged, or lost
   /// on the road; further minutes of trips; what a report said too much
   double amount = 0.0;
-  std::int32_t evicted = 0;
+  std::int32_t evicted = 0;  ///< vehicles
 };
 
 /// Agent to conductor: what left the region during a tick, and how it stands at the tick's end.
 struct Departures {
-  std::int32_t tick = 0;
-  std::int32_t region = 0;
+  std::int32_t tick = 0;              ///< that was lived
+  std::int32_t region = 0;            ///< that is told of
   std::vector<Departure> departures;  ///< by (minute, vehicle)
   std::vector<Fate> fates;            ///< by (minute settled, appeared, order of arrival)
   std::vector<Observed> observed;     ///< by fault
   std::int32_t refused = 0;           ///< vehicles that the plan asked for and the region did not have
   std::int32_t demand = 0;            ///< passengers who appeared
-  std::int32_t completions = 0;
-  std::int32_t queue_minutes = 0;  ///< vehicle-minutes that low-battery cars waited in regions with stations
-  std::int32_t stranded = 0;       ///< vehicles that arrived here with an empty battery
-  double charged_kwh = 0.0;
-  std::int32_t vacant = 0;  ///< these six at the tick's end
-  std::int32_t low_battery = 0;
-  std::int32_t plugged = 0;
-  std::int32_t points = 0;  ///< points that really work
-  std::int32_t waiting = 0;
-  std::int32_t broken = 0;  ///< vehicles that are here and cannot be used
-  Origin origin;
+  std::int32_t completions = 0;       ///< sessions that ended charged
+  std::int32_t queue_minutes = 0;     ///< vehicle-minutes that low-battery cars waited in regions with stations
+  std::int32_t stranded = 0;          ///< vehicles that arrived here with an empty battery
+  double charged_kwh = 0.0;           ///< into all vehicles
+  std::int32_t vacant = 0;            ///< these six at the tick's end
+  std::int32_t low_battery = 0;       ///< vehicles that wait for a charger
+  std::int32_t plugged = 0;           ///< vehicles at charging points
+  std::int32_t points = 0;            ///< points that really work
+  std::int32_t waiting = 0;           ///< passengers
+  std::int32_t broken = 0;            ///< vehicles that are here and cannot be used
+  Origin origin;                      ///< who wrote it
 };
 
 /// Fields that are recorded but no part of any digest: they differ between runs of the same day, or say in detail what

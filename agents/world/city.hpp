@@ -12,56 +12,59 @@ namespace evbal {
 
 /// WGS84 degrees.
 struct LatLon {
-  double lat = 0.0;
-  double lon = 0.0;
+  double lat = 0.0;  ///< degrees
+  double lon = 0.0;  ///< degrees
 };
 
+/// A region of a city.
 struct Region {
-  std::string name;
+  std::string name;                          ///< that no other region has
   std::vector<std::vector<LatLon>> outline;  ///< outer rings, each closed implicitly (first point not repeated)
-  LatLon centroid;
+  LatLon centroid;                           ///< mean of trip ends, or centre of area
 };
 
 /// A charging station; several may stand in one region, whose points then add up.
 struct Station {
-  std::string name;
-  int region = 0;
-  int points = 0;
-  LatLon place;
+  std::string name;  ///< that no other station has
+  int region = 0;    ///< where it stands
+  int points = 0;    ///< charging points
+  LatLon place;      ///< of the station
 };
 
 /// Trips of one origin-destination pair that start within one step.
 struct TripCount {
-  int origin = 0;
-  int destination = 0;
-  int trips = 0;
+  int origin = 0;       ///< region
+  int destination = 0;  ///< region
+  int trips = 0;        ///< number
 };
 
 /// Demand of one recorded day: for each step of `City::step_minutes` the pairs with trips, by (origin, destination).
 struct DemandDay {
-  std::string date;      ///< ISO 8601, "2008-06-03"
-  bool holiday = false;  ///< a public holiday: a day like a Sunday
-  std::vector<std::vector<TripCount>> steps;
+  std::string date;                           ///< ISO 8601, "2008-06-03"
+  bool holiday = false;                       ///< a public holiday: a day like a Sunday
+  std::vector<std::vector<TripCount>> steps;  ///< by step of the day
 };
 
 /// Vehicles, points, batteries and patience that the records do not tell: declared per pack, overridden by scenarios.
 struct FleetAssumption {
-  int vehicles = 0;
-  double battery_kwh = 0.0;
-  double km_per_kwh = 0.0;
-  double initial_charge_low = 0.0;  ///< share of the battery at the day's start, drawn uniformly
-  double initial_charge_high = 0.0;
+  int vehicles = 0;                  ///< of the fleet
+  double battery_kwh = 0.0;          ///< of each vehicle
+  double km_per_kwh = 0.0;           ///< of each vehicle
+  double initial_charge_low = 0.0;   ///< share of the battery at the day's start, drawn uniformly
+  double initial_charge_high = 0.0;  ///< likewise
 };
 
+/// Chargers and sessions that the records do not tell.
 struct ChargingAssumption {
-  double power_kw = 0.0;
+  double power_kw = 0.0;  ///< of each point
   /// Quantiles of a session's minutes at equally spaced probabilities 0, 1/(n-1), ..., 1; at least two, ascending.
   std::vector<double> session_quantiles;
 };
 
+/// Passengers' patience, which the records do not tell.
 struct PassengerAssumption {
-  double patience_low = 0.0;  ///< minutes, drawn uniformly
-  double patience_high = 0.0;
+  double patience_low = 0.0;   ///< minutes, drawn uniformly
+  double patience_high = 0.0;  ///< minutes
 };
 
 /// What stands in for records that a city lacks: demand and travel as factors, which a pack keeps in place of a table
@@ -78,31 +81,33 @@ struct CityFactors {
   /// km = detour * sqrt(D^2 + s_from^2 + s_to^2), the root mean square distance of two random places, with D between
   /// the centroids and s the spread around each; minutes = start_minutes + minutes_per_km * km.
   double detour = 1.0;
-  double start_minutes = 0.0;
-  double minutes_per_km = 0.0;
+  double start_minutes = 0.0;     ///< of each trip
+  double minutes_per_km = 0.0;    ///< driven
   std::vector<double> spread_km;  ///< by region
 };
 
 /// A city as read from a pack. Matrices are N x N, row = from, column = to; the diagonal is a trip within the region.
 struct City {
-  std::string name;
-  std::filesystem::path folder;
-  std::string source;  ///< what to cite
-  int day_start = 0;   ///< minute after midnight at which each DemandDay starts
-  int step_minutes = 30;
-  std::vector<Region> regions;
-  std::vector<Station> stations;
+  std::string name;               ///< of the pack
+  std::filesystem::path folder;   ///< of the pack; empty if it was not read from one
+  std::string source;             ///< what to cite
+  int day_start = 0;              ///< minute after midnight at which each DemandDay starts
+  int step_minutes = 30;          ///< of the demand
+  std::vector<Region> regions;    ///< in the order by which they are numbered
+  std::vector<Station> stations;  ///< by region
   Eigen::MatrixXd km;             ///< mean driven distance, > 0 for every pair
   Eigen::MatrixXd minutes;        ///< mean driving time, >= 1 for every pair
   std::vector<std::string> days;  ///< ISO dates on record, ascending
+  /// ISO 8601 dates that settings and models may be fitted on.
   std::vector<std::string> train_days;
   std::vector<std::string> test_days;  ///< every day is for training or for testing
   std::vector<std::string> holidays;   ///< those of `days` that are public holidays
-  FleetAssumption fleet;
-  ChargingAssumption charging;
-  PassengerAssumption passengers;
+  FleetAssumption fleet;               ///< vehicles
+  ChargingAssumption charging;         ///< chargers and sessions
+  PassengerAssumption passengers;      ///< patience
   std::optional<CityFactors> factors;  ///< where the pack has no tables
 
+  /// Number of regions.
   int size() const { return static_cast<int>(regions.size()); }
 
   /// Steps of a DemandDay, which lasts until midnight.

@@ -9,23 +9,23 @@ namespace evbal {
 
 /// Thresholds of a MomentSet.
 struct Thresholds {
-  double g1 = 0.0;
-  double g2 = 1.0;
+  double g1 = 0.0;  ///< on the mean
+  double g2 = 1.0;  ///< on the second moment
 };
 
 /// How often residuals are drawn again, and how many at a time. Seeded: equal arguments give equal results, on any
 /// number of processors.
 struct Bootstrap {
-  int resample = 500;     ///< N_B
-  int replicates = 1000;  ///< B
-  double alpha = 0.25;    ///< alpha_h
-  std::uint64_t seed = 0;
+  int resample = 500;      ///< N_B
+  int replicates = 1000;   ///< B
+  double alpha = 0.25;     ///< alpha_h
+  std::uint64_t seed = 0;  ///< of the draws
 };
 
 /// Thresholds, and the standard errors that come of drawing only so many replicates.
 struct BootstrapThresholds {
-  Thresholds value;
-  Thresholds error;
+  Thresholds value;  ///< the thresholds
+  Thresholds error;  ///< their standard errors
 };
 
 /// Thresholds at confidence 1 - alpha by the bootstrap (docs/model.md, section 5): `replicates` times, `resample`

@@ -16,6 +16,7 @@ struct ResidualDistribution {
   std::vector<Thresholds> thresholds;  ///< entry k: of the first k + 1 steps
   double alarm = 0.0;                  ///< normalised innovation beyond which errors are no longer so distributed
 
+  /// Steps ahead that it is known for.
   int leads() const { return static_cast<int>(thresholds.size()); }
 };
 

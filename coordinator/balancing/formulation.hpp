@@ -74,13 +74,13 @@ namespace evbal {
 
 /// The flow on an arc and the variable that says how much.
 struct ArcFlow {
-  Arc arc;
-  Variable amount;
+  Arc arc;          ///< the way
+  Variable amount;  ///< vehicles sent on it
 };
 
 /// The balancing problem of one controller as a convex program, and where its decisions stand in it.
 struct Formulation {
-  ConvexProgram program{"vehicles"};
+  ConvexProgram program{"vehicles"};              ///< the problem
   std::vector<std::vector<ArcFlow>> vacant;       ///< x, per step
   std::vector<std::vector<ArcFlow>> low_battery;  ///< y, per step
 };

@@ -16,6 +16,7 @@ struct CountVariance {
   std::vector<double> linear;     ///< at least one, each >= 0
   std::vector<double> quadratic;  ///< as many, each >= 0
 
+  /// The variance around a forecast m, `lead` steps ahead from 0.
   double at(Eigen::Index lead, double m) const {
     EVBAL_EXPECT(!linear.empty() && linear.size() == quadratic.size(),
                  "as many linear as quadratic coefficients, at least one");

@@ -7,7 +7,7 @@ namespace evbal {
 /// Normalised innovation squared: the mean over the last steps of squared innovations (what came less what was expected
 /// of it), each over its variance; about 1 while errors are as they were in training, 0 where nothing is known.
 struct NormalisedInnovation {
-  double city = 0.0;
+  double city = 0.0;       ///< of the city's total
   Eigen::VectorXd region;  ///< N
 };
 

@@ -12,14 +12,14 @@ namespace evbal {
 
 /// What is known of a series of counts per region: how to forecast it, and how wrong that is.
 struct SeriesModel {
-  SeasonalModel seasonal;
-  ResidualDistribution errors;
+  SeasonalModel seasonal;       ///< the forecasts
+  ResidualDistribution errors;  ///< the laws of their errors
 };
 
 /// Transitions from `start` (minute after midnight) until the next period.
 struct Period {
-  int start = 0;
-  Transitions transitions;
+  int start = 0;            ///< minute after midnight
+  Transitions transitions;  ///< from then on
 };
 
 /// Everything that `evbal fit` estimates of a city (docs/model.md, sections 2 and 5).
@@ -28,12 +28,13 @@ struct CityModel {
   int day_start = 0;                  ///< minute after midnight at which the seasonal means start
   int step_minutes = 30;              ///< Delta
   std::vector<std::string> holidays;  ///< ISO dates on record that are like Sundays, ascending
-  SeriesModel demand;
-  SeriesModel completions;
-  std::vector<Period> periods;  ///< at least one, by start
-  Turnover turnover;
-  double mean_session_minutes = 0.0;
+  SeriesModel demand;                 ///< of r
+  SeriesModel completions;            ///< of c
+  std::vector<Period> periods;        ///< at least one, by start
+  Turnover turnover;                  ///< of vehicles that serve twice in a step
+  double mean_session_minutes = 0.0;  ///< of charging
 
+  /// Number of regions.
   int regions() const { return demand.seasonal.regions(); }
 
   /// Of the day, from `day_start` on.
@@ -42,6 +43,7 @@ struct CityModel {
   /// Steps that can be forecast at most.
   int leads() const { return demand.errors.leads(); }
 
+  /// Of a date, ISO 8601.
   DayKind kind(const std::string& date) const;
 
   /// Those of the period that holds `minute` after midnight; the first period's before it starts.

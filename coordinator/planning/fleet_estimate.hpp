@@ -11,10 +11,10 @@ namespace evbal {
 
 /// What the estimate knows of the city.
 struct EstimateModel {
-  Eigen::VectorXd points;      ///< installed, N
-  Eigen::MatrixXd minutes;     ///< travel time, N x N
-  double step_minutes = 30.0;  ///< Delta, that of the transitions
-  double mean_session_minutes = 45.0;
+  Eigen::VectorXd points;              ///< installed, N
+  Eigen::MatrixXd minutes;             ///< travel time, N x N
+  double step_minutes = 30.0;          ///< Delta, that of the transitions
+  double mean_session_minutes = 45.0;  ///< of charging
 };
 
 /// The fleet as the coordinator believes it to be: what regions report, and where no report can be believed, the last
@@ -22,6 +22,7 @@ struct EstimateModel {
 /// of one step passes: of the transitions that share, of the charging sessions that which ends in the time.
 class FleetEstimate {
  public:
+  /// Knows of no vehicle yet.
   explicit FleetEstimate(EstimateModel model);
 
   /// Goes on to `minute`: the last plan's `moves` set off where there are vehicles, then the model's transitions.

@@ -18,9 +18,9 @@ using Balancer = std::function<BalancingResult(const std::string& controller, co
 
 /// What is to be done now, in parts of vehicles; no region sends more than it has.
 struct Decision {
-  std::vector<Flow> vacant;
-  std::vector<Flow> low_battery;
-  Provenance provenance;  ///< without the engine's name
+  std::vector<Flow> vacant;       ///< by (from, to)
+  std::vector<Flow> low_battery;  ///< by (from, to)
+  Provenance provenance;          ///< without the engine's name
 };
 
 /// The fallback ladder (docs/model.md, section 4): the controller itself, else nominal, else the step of the last plan
@@ -28,11 +28,13 @@ struct Decision {
 /// in it.
 class Ladder {
  public:
+  /// With no plan to fall back on yet.
   Ladder(std::string controller, Balancer balancer);
 
   /// `minute` of the day; never before that of the last call.
   Decision decide(int minute, const PlanningData& data, const EngineSettings& engine);
 
+  /// What later decisions need of this one.
   const LadderMemory& memory() const { return memory_; }
 
   /// Goes on from where another ladder of the same controller was.

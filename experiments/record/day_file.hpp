@@ -11,10 +11,10 @@ namespace evbal {
 
 /// A fault as requested, for the record.
 struct RequestedFault {
-  std::string name;
-  std::string type;
-  int start = 0;  ///< minute
-  int end = 0;    ///< minute
+  std::string name;  ///< of the fault
+  std::string type;  ///< in a schedule's words
+  int start = 0;     ///< minute
+  int end = 0;       ///< minute
 };
 
 /// Writes run.sqlite: everything that was said in a day, in tables named after the messages, with one column per
@@ -53,6 +53,7 @@ class DayFile {
   /// Adds a tick; it is durable after the next commit().
   void add(const TickRecord& record);
 
+  /// Notes an event of a tick.
   void event(int tick, const std::string& kind, const std::string& what);
 
   /// Ends the transaction that is open and begins another.

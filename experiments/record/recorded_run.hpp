@@ -14,27 +14,27 @@ namespace evbal {
 
 /// A finished run as read back from its directory.
 struct RecordedRun {
-  std::filesystem::path folder;
-  std::string scenario;
-  std::string date;
-  std::uint64_t seed = 0;
-  std::string controller;
-  std::string transport;
-  std::string digest;
-  std::string day_start;  ///< "05:00"
-  int step_minutes = 0;
-  int regions = 0;
-  int fleet = 0;
-  int solves = 0;
-  int fallbacks = 0;
-  double solve_seconds_median = 0.0;
-  double wall_seconds = 0.0;
+  std::filesystem::path folder;                      ///< of the run
+  std::string scenario;                              ///< its name
+  std::string date;                                  ///< of the day, ISO 8601
+  std::uint64_t seed = 0;                            ///< of the run
+  std::string controller;                            ///< its name
+  std::string transport;                             ///< dds or inproc
+  std::string digest;                                ///< of all that was said
+  std::string day_start;                             ///< "05:00"
+  int step_minutes = 0;                              ///< of the record
+  int regions = 0;                                   ///< of the city
+  int fleet = 0;                                     ///< vehicles
+  int solves = 0;                                    ///< plans that were solved
+  int fallbacks = 0;                                 ///< plans that fell back
+  double solve_seconds_median = 0.0;                 ///< of a processor
+  double wall_seconds = 0.0;                         ///< that the run took
   std::map<std::string, double> totals;              ///< by metric
   std::map<std::string, std::vector<double>> steps;  ///< columns of steps.csv, but for `start`
   std::map<std::string, Eigen::MatrixXd> by_region;  ///< columns of regions.csv but for `start`, regions x steps
-  int ticks = 0;
-  std::vector<PlanCost> plan_costs;  ///< by term, the mean over the plans that were solved for
-  std::vector<RecordedFault> faults;
+  int ticks = 0;                                     ///< of the day
+  std::vector<PlanCost> plan_costs;                  ///< by term, the mean over the plans that were solved for
+  std::vector<RecordedFault> faults;                 ///< in the order of the schedule
 };
 
 /// Throws Error{bad_input} if `folder` holds no finished run.

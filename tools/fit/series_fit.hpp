@@ -15,15 +15,16 @@ struct SeriesDays {
 
 /// Thresholds over the whole horizon for one resample size N_B, and how they hold on the test days.
 struct ThresholdRow {
+  /// N_B.
   int resample = 0;
-  BootstrapThresholds thresholds;
-  Coverage test;
+  BootstrapThresholds thresholds;  ///< of the training days
+  Coverage test;                   ///< of the test days
 };
 
 /// A series' model and how good it is.
 struct SeriesFit {
-  SeriesModel model;
-  SeasonalOrders orders;
+  SeriesModel model;                     ///< forecasts and the laws of their errors
+  SeasonalOrders orders;                 ///< that were chosen
   std::vector<HeldOutDay> training;      ///< each day by the model of the others
   std::vector<HeldOutDay> test;          ///< by the model of all training days
   std::vector<ThresholdRow> thresholds;  ///< by N_B; none if no region varies

@@ -10,9 +10,10 @@ namespace evbal {
 /// What a vehicle is for the balancing problem (docs/model.md, section 2). Cars under way count at their destination.
 enum class CarState { vacant, low_battery, plugged, occupied, rebalancing, to_charger };
 
+/// What a vehicle is, and where.
 struct CarPlace {
-  CarState state = CarState::vacant;
-  int region = 0;
+  CarState state = CarState::vacant;  ///< what it is
+  int region = 0;                     ///< where it is, or will be
 };
 
 /// How many cars of each region were in which state, and where, one step later.
@@ -20,6 +21,7 @@ struct TransitionCounts {
   Eigen::MatrixXd vacant;    ///< N x 3N: vacant, occupied, low-battery
   Eigen::MatrixXd occupied;  ///< N x 2N: vacant, occupied
 
+  /// Counts nothing yet.
   explicit TransitionCounts(int regions);
 
   /// Adds a step: by vehicle, where each was just after dispatch (cars sent off at that moment are where they go
@@ -31,6 +33,7 @@ struct TransitionCounts {
   ///   Q has no such state, and leave it in the step after.
   void add(const std::vector<CarPlace>& start, const std::vector<CarPlace>& end);
 
+  /// Adds others.
   TransitionCounts& operator+=(const TransitionCounts& other);
 };
 
