@@ -10,26 +10,13 @@
 namespace evbal {
 namespace {
 
-using testing::replaced;
-
+using testing::outage;
 using testing::read_runs;
 using testing::read_text;
+using testing::replaced;
+using testing::schedule_of;
 using testing::small_context;
-
-const std::string spike =
-    "{name: spike, type: demand.scale, target: {regions: [2, 0]}, start: \"17:30\", duration: 90min, magnitude: 1.8";
-const std::string outage =
-    "{name: outage, type: charger.outage, target: {regions: [1]}, start: \"07:30\", duration: 2h, "
-    "magnitude: {fraction_of_points: 0.5}";
-
-/// The head takes the first line, so that the faults begin on line 2.
-std::string schedule_of(const std::vector<std::string>& faults, const std::string& head = "") {
-  std::string text = "{schema: 1, seed: 7, " + head + "faults: [\n";
-  for (const auto& fault : faults) {
-    text += fault + "},\n";
-  }
-  return text + "]}\n";
-}
+using testing::spike;
 
 struct Refusal {
   std::string text;

@@ -4,6 +4,7 @@
 
 #include <cassert>
 #include <string>
+#include <vector>
 
 namespace evbal::testing {
 
@@ -16,6 +17,21 @@ inline std::string replaced(std::string text, const std::string& from, const std
   const auto at = text.find(from);
   assert(at != std::string::npos);
   return text.replace(at, from.size(), to);
+}
+
+inline const std::string spike =
+    "{name: spike, type: demand.scale, target: {regions: [2, 0]}, start: \"17:30\", duration: 90min, magnitude: 1.8";
+inline const std::string outage =
+    "{name: outage, type: charger.outage, target: {regions: [1]}, start: \"07:30\", duration: 2h, "
+    "magnitude: {fraction_of_points: 0.5}";
+
+/// The head takes the first line, so that the faults begin on line 2.
+inline std::string schedule_of(const std::vector<std::string>& faults, const std::string& head = "") {
+  std::string text = "{schema: 1, seed: 7, " + head + "faults: [\n";
+  for (const auto& fault : faults) {
+    text += fault + "},\n";
+  }
+  return text + "]}\n";
 }
 
 inline std::vector<Schedule> read_runs(const std::string& text, const FaultContext& context = small_context()) {
