@@ -48,6 +48,12 @@ class RawTable {
   /// An error at the current row.
   Error error(const std::string& message) const { return lines_.error(message); }
 
+  /// The file that is read.
+  const std::string& file() const { return lines_.file(); }
+
+  /// The number of the current row's line, from 1.
+  int line() const { return lines_.line(); }
+
  private:
   void find_columns();
   void split();

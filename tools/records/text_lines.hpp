@@ -26,6 +26,12 @@ class LineReader {
   /// An error at the current line.
   Error error(const std::string& message) const;
 
+  /// The file that is read.
+  const std::string& file() const { return file_; }
+
+  /// The number of the current line, from 1.
+  int line() const { return line_; }
+
  private:
   struct Stream;
   std::unique_ptr<Stream> stream_;
