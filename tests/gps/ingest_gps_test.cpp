@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace evbal {
 namespace {
 
@@ -49,7 +51,8 @@ class IngestGps : public testing::Test {
     for (int minute = 0; minute < 120; ++minute) {
       const bool riding = minute >= 20 && minute < 40;
       const double lat = minute >= 40 && minute < 55 ? 37.7211 : 37.72;
-      rows += row(kNoon + 60 * minute, minute < 110 ? lat : 37.74, minute < 40 ? -122.47 : -122.42, riding);
+      const double lon = -122.47 + 0.0025 * std::clamp(minute - 20, 0, 20);
+      rows += row(kNoon + 60 * minute, minute < 110 ? lat : 37.74, lon, riding);
     }
     return rows;
   }
@@ -112,7 +115,7 @@ clock_changes: [{utc: "2008-11-02 09:00:00", utc_offset_minutes: -480}]
   const std::string report = ingest();
   EXPECT_NE(table("trips/trips.csv").find("a,1225616100,37.72,-122.47,1225616700,37.72,-122.42"), std::string::npos)
       << table("trips/trips.csv");
-  EXPECT_EQ(report.find("dropped, older"), std::string::npos) << report;
+  EXPECT_EQ(report.find("dropped, out"), std::string::npos) << report;
   EXPECT_NE(report.find("vehicles: 2"), std::string::npos) << report;
 }
 
@@ -128,10 +131,13 @@ TEST_F(IngestGps, CountsWhatItDropsByReason) {
                 "nan -122.47 0 1211137300\n"
                 "\xFF\xFE\x80 -122.47 0 1211137300\n"
                 "37.72 -122.47 0 99999999999999999999\n"
-                "37.72 -122.42 0 1211137320\n");
+                "37.72 -122.42 0 1211137560\n");
   const std::string report = ingest();
   for (const std::string line :
-       {"rows: 11", "malformed row: 6", "older than the fix before: 1", "same time as the fix before: 1", "trips: 1"}) {
+       {"rows: 11", "no latitude in degrees, -90 to 90: 3 (first: ", "neither `1` (occupied) nor `0` (free): 1",
+        "fewer columns than the description names: 1", "no unix time in seconds: 1",
+        "cab_7.txt:10: `99999999999999999999`", "out of the order of time: 1", "same time as another fix: 1",
+        "trips: 1"}) {
     EXPECT_NE(report.find(line), std::string::npos) << line << " not in\n" << report;
   }
 }
@@ -150,7 +156,7 @@ TEST_F(IngestGps, RefusesWhatIsNoSuchTable) {
     swapped += "1211137200 37.72 -122.47 0\n";
   }
   folder_.write("gps/cab_7.txt", swapped);
-  expect_refused("cab_7.txt:100: and all rows before it are malformed");
+  expect_refused("cab_7.txt:100: and all rows before it cannot be read");
   sources_.regions.clear();
   expect_refused("give --regions as well");
 }

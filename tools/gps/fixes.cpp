@@ -1,135 +1,252 @@
 #include "tools/gps/fixes.hpp"
 
-#include "agents/world/pack_table.hpp"
+#include "common/decimal.hpp"
+#include "tools/gps/drivable.hpp"
+#include "tools/gps/fix_rows.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+#include <map>
+#include <vector>
 
 namespace evbal {
 namespace {
 
-constexpr long long kTellEvery = 100'000;  // rows
-constexpr long long kRowsToJudge = 100;    // if so many first rows are malformed, the format is wrong
+constexpr long long kTellEvery = 100'000;      // rows
+constexpr long long kRowsToJudge = 100;        // if so many first rows are unreadable, the format is wrong
+constexpr std::size_t kMostWaiting = 250'000;  // rows that are looked at together
+constexpr std::size_t kLookAhead = 60;         // rows of a vehicle that wait for those after them
+constexpr std::string_view kDisordered = "out of the order of time";
 
-using LastTimes = std::map<std::string, long long, std::less<>>;  ///< of each vehicle's last fix
+/// The rows of a vehicle that were read and not yet handed over.
+struct Waiting {
+  std::vector<Fix> fixes;
+  std::vector<int> lines;
+  std::size_t ordered = 0;  ///< at the front: in the order of recording, and of UTC
+  std::optional<Fix> last;  ///< handed over before
 
-/// The vehicle that a file is named after.
-std::string vehicle_of(const std::filesystem::path& file, const GpsFormat& format) {
-  std::string name = file.filename().string();
-  for (const std::string packed : {".gz", ".xz"}) {
-    if (name.ends_with(packed)) {
-      name.resize(name.size() - packed.size());
-      break;
-    }
+  void resize(std::size_t rows) {
+    fixes.resize(rows);
+    lines.resize(rows);
   }
-  const std::size_t around = format.file_prefix.size() + format.file_suffix.size();
-  if (name.size() <= around || !name.starts_with(format.file_prefix) || !name.ends_with(format.file_suffix)) {
-    throw bad_input(
-        file.string(), 0,
-        "is not named like `" + format.file_prefix + "*" + format.file_suffix + "`, which tells the vehicle");
-  }
-  return name.substr(format.file_prefix.size(), name.size() - around);
-}
+};
 
-/// Whether a name needs no quotes in a table.
-bool is_plain(std::string_view name) {
-  return !name.empty() &&
-         std::all_of(name.begin(), name.end(), [](char c) { return c > ' ' && c <= '~' && c != ',' && c != '"'; });
-}
-
-/// Reads the rows of one file.
-class FixReader {
+/// Puts rows in the order of time and hands over what vehicles can have driven.
+class Sorter {
  public:
-  FixReader(const GpsFormat& format, LastTimes& last) : format_(format), last_(last) {}
+  Sorter(const GpsFormat& format, const UseFix& use, FixCount& count) : format_(format), use_(use), count_(count) {}
 
-  /// The vehicle of the rows that follow.
+  void begin_file(std::string file) {
+    file_ = std::move(file);
+    disordered_before_ = count_.dropped.rows(kDisordered);
+    read_before_ = count_.read;
+    backwards_ = false;
+  }
+
   void begin_vehicle(std::string_view name) {
-    if (at_ == last_.end() || at_->first != name) {
-      at_ = last_.find(name);
-      if (at_ == last_.end()) {
-        at_ = last_.emplace(name, std::numeric_limits<long long>::min()).first;
+    if (at_ == vehicles_.end() || at_->first != name) {
+      at_ = vehicles_.find(name);
+      if (at_ == vehicles_.end()) {
+        at_ = vehicles_.emplace(name, Waiting()).first;
       }
     }
   }
 
-  const std::string& vehicle() const { return at_->first; }
+  /// A row of the vehicle that was begun.
+  void add(const Fix& fix, int line) {
+    Waiting& rows = at_->second;
+    if (rows.fixes.size() > rows.ordered) {
+      steps_ += fix.time > rows.fixes.back().time ? 1 : fix.time < rows.fixes.back().time ? -1 : 0;
+    }
+    rows.fixes.push_back(fix);
+    rows.lines.push_back(line);
+    if (++waiting_ > kMostWaiting) {
+      hand_over(kLookAhead);
+    }
+  }
 
-  /// Null if `fix` was filled in, else the reason.
-  const char* read(const RawTable& row, Fix& fix) {
-    if (!row.whole()) {
-      return malformed_row;
+  void end_file() {
+    hand_over(0);
+    count_.backwards += backwards_ ? 1 : 0;
+    const long long disordered = count_.dropped.rows(kDisordered) - disordered_before_;
+    const long long read = count_.read - read_before_;
+    if (disordered > kRowsToJudge && 10 * disordered > read) {
+      throw bad_input(file_, 0,
+                      std::to_string(disordered) + " of its " + std::to_string(read) +
+                          " rows are not in the order of time, or older than an earlier file's of the same vehicle; "
+                          "sort them by time and give each once");
     }
-    if (format_.vehicle) {
-      const std::string_view name = row.text(*format_.vehicle);
-      if (!is_plain(name)) {
-        return malformed_row;
-      }
-      begin_vehicle(name);
-    }
-    const auto lat = parse_number(row.text(format_.lat));
-    const auto lon = parse_number(row.text(format_.lon));
-    const std::string_view flag = row.text(format_.occupied);
-    if (!lat || !lon || std::abs(*lat) > 90.0 || std::abs(*lon) > 180.0 ||
-        (flag != format_.occupied_word && flag != format_.free_word)) {
-      return malformed_row;
-    }
-    if (const char* reason =
-            read_record_time(row.text(format_.time), format_.time_form, format_.clock, at_->second, fix.time)) {
-      return reason;
-    }
-    if (fix.time <= at_->second) {
-      return fix.time == at_->second ? "same time as the fix before" : "older than the fix before";
-    }
-    at_->second = fix.time;
-    fix.place = {*lat, *lon};
-    fix.occupied = flag == format_.occupied_word;
-    return nullptr;
   }
 
  private:
+  /// Hands over all rows that wait but the last `keep` of each vehicle.
+  void hand_over(std::size_t keep) {
+    backwards_ |= steps_ < 0;
+    waiting_ = 0;
+    for (auto& [name, rows] : vehicles_) {
+      if (!rows.fixes.empty()) {
+        put_in_order(rows);
+        pass_on(name, rows, keep);
+        waiting_ += rows.fixes.size();
+      }
+    }
+    steps_ = 0;
+  }
+
+  void put_in_order(Waiting& rows) {
+    const auto begin = static_cast<std::ptrdiff_t>(rows.ordered);
+    if (steps_ < 0) {
+      std::reverse(rows.fixes.begin() + begin, rows.fixes.end());
+      std::reverse(rows.lines.begin() + begin, rows.lines.end());
+    }
+    if (format_.time_form == TimeForm::local) {
+      tell_utc(rows);
+    }
+    rows.ordered = rows.fixes.size();
+  }
+
+  /// Turns local times into UTC and leaves out those that the clocks skipped.
+  void tell_utc(Waiting& rows) {
+    std::size_t kept = rows.ordered;
+    long long before = kept > 0    ? rows.fixes[kept - 1].time
+                       : rows.last ? rows.last->time
+                                   : std::numeric_limits<long long>::min();
+    for (std::size_t i = kept; i < rows.fixes.size(); ++i) {
+      const auto utc = format_.clock.utc_after(rows.fixes[i].time, before);
+      if (!utc) {
+        drop("at a local time that the clocks skipped", rows, i, std::to_string(rows.fixes[i].time));
+        continue;
+      }
+      rows.fixes[kept] = rows.fixes[i];
+      rows.lines[kept] = rows.lines[i];
+      before = rows.fixes[kept++].time = *utc;
+    }
+    rows.resize(kept);
+  }
+
+  void pass_on(const std::string& vehicle, Waiting& rows, std::size_t keep) {
+    const std::vector<std::size_t> drive = longest_drive(rows.fixes, rows.last);
+    const std::size_t end = rows.fixes.size() - std::min(keep, rows.fixes.size());
+    auto next = drive.begin();
+    for (std::size_t i = 0; i < end; ++i) {
+      if (next == drive.end() || *next != i) {
+        explain(rows, i, next == drive.end() ? nullptr : &rows.fixes[*next]);
+        continue;
+      }
+      const bool goes_on = rows.last && can_drive(*rows.last, rows.fixes[i]);
+      rows.last = rows.fixes[i];
+      ++count_.used;
+      use_(vehicle, rows.fixes[i], goes_on);
+      ++next;
+    }
+    // New vectors: a vehicle whose file is read needs no memory any more.
+    rows.fixes = std::vector<Fix>(rows.fixes.begin() + static_cast<std::ptrdiff_t>(end), rows.fixes.end());
+    rows.lines = std::vector<int>(rows.lines.begin() + static_cast<std::ptrdiff_t>(end), rows.lines.end());
+    rows.ordered = rows.fixes.size();
+  }
+
+  /// Counts row `i`, which comes after rows.last and before `next`, where there is one.
+  void explain(const Waiting& rows, std::size_t i, const Fix* next) {
+    const Fix& fix = rows.fixes[i];
+    const long long before = rows.last ? rows.last->time : std::numeric_limits<long long>::min();
+    const long long after = next ? next->time : std::numeric_limits<long long>::max();
+    const std::string time = std::to_string(fix.time);
+    if (fix.time == before || fix.time == after) {
+      drop("of the same time as another fix", rows, i, time);
+    } else if (fix.time < before || fix.time > after) {
+      drop(kDisordered, rows, i, time);
+    } else {
+      drop("where or when no car can have driven", rows, i,
+           decimal(fix.place.lat) + " " + decimal(fix.place.lon) + " at " + time);
+    }
+  }
+
+  void drop(std::string_view reason, const Waiting& rows, std::size_t i, const std::string& value) {
+    count_.dropped.add(reason, file_, rows.lines[i], value);
+  }
+
   const GpsFormat& format_;
-  LastTimes& last_;
-  LastTimes::iterator at_ = last_.end();
+  const UseFix& use_;
+  FixCount& count_;
+  std::map<std::string, Waiting, std::less<>> vehicles_;
+  decltype(vehicles_)::iterator at_ = vehicles_.end();
+  std::string file_;
+  std::size_t waiting_ = 0;
+  long long steps_ = 0;  ///< ahead in time, less those back, from a vehicle's row to its next
+  bool backwards_ = false;
+  long long disordered_before_ = 0;
+  long long read_before_ = 0;
+};
+
+/// Reads the tables one after the other.
+class Reader {
+ public:
+  Reader(const GpsFormat& format, const UseFix& use, const std::function<void(const FixProgress&)>& tell)
+      : format_(format), rows_(format), sorter_(format, use, count), tell_(tell) {}
+
+  void read(const std::filesystem::path& file, int files) {
+    ++count.files;
+    RawTable table(file, format_.table);
+    sorter_.begin_file(file.string());
+    if (!format_.vehicle) {
+      sorter_.begin_vehicle(vehicle_of(file, format_));
+    }
+    tell_({count.files, files, count.read});
+    long long unreadable = 0;
+    for (long long row = 1; table.next(); ++row) {
+      unreadable += take(table) ? 0 : 1;
+      if (row == kRowsToJudge && unreadable == row) {
+        throw table.error("and all rows before it cannot be read; is the description of this table?");
+      }
+      if (++count.read % kTellEvery == 0) {
+        tell_({count.files, files, count.read});
+      }
+    }
+    sorter_.end_file();
+  }
+
+  FixCount count;
+
+ private:
+  /// False if the row cannot be read.
+  bool take(const RawTable& table) {
+    Fix fix;
+    const auto [reason, value] = rows_.read(table, fix);
+    if (!reason.empty()) {
+      count.dropped.add(reason, table.file(), table.line(), value);
+      return reason == kNowhere;
+    }
+    if (format_.vehicle) {
+      sorter_.begin_vehicle(table.text(*format_.vehicle));
+    }
+    sorter_.add(fix, table.line());
+    return true;
+  }
+
+  const GpsFormat& format_;
+  FixRows rows_;
+  Sorter sorter_;
+  const std::function<void(const FixProgress&)>& tell_;
 };
 
 }  // namespace
 
-FixCount for_each_fix(const std::filesystem::path& folder, const GpsFormat& format,
-                      const std::function<void(const std::string& vehicle, const Fix&)>& use,
+FixCount for_each_fix(const std::filesystem::path& folder, const GpsFormat& format, const UseFix& use,
                       const std::function<void(const FixProgress&)>& tell) {
   const auto files = text_files(folder);
-  FixCount count;
-  LastTimes last;
-  for (const auto& file : files) {
-    ++count.files;
-    RawTable table(file, format.table);
-    FixReader reader(format, last);
-    if (!format.vehicle) {
-      reader.begin_vehicle(vehicle_of(file, format));
+  Reader reader(format, use, tell);
+  try {
+    for (const auto& file : files) {
+      reader.read(file, static_cast<int>(files.size()));
     }
-    tell({count.files, static_cast<int>(files.size()), count.read});
-    long long rows = 0;
-    long long malformed = 0;
-    Fix fix;
-    while (table.next()) {
-      ++rows;
-      ++count.read;
-      if (const char* reason = reader.read(table, fix)) {
-        ++count.dropped[reason];
-        malformed += std::string_view(reason) == malformed_row ? 1 : 0;
-        if (rows == kRowsToJudge && malformed == rows) {
-          throw table.error("and all rows before it are malformed; is the description of this table?");
-        }
-      } else {
-        use(reader.vehicle(), fix);
-      }
-      if (count.read % kTellEvery == 0) {
-        tell({count.files, static_cast<int>(files.size()), count.read});
-      }
+    if (reader.count.used == 0) {
+      throw bad_input(folder.string(), 0, "has no fix that counts");
     }
+  } catch (const Error& error) {
+    const std::string dropped = reader.count.dropped.report();
+    throw Error(error.status(), error.what() + (dropped.empty() ? "" : "\n" + dropped.substr(0, dropped.size() - 1)));
   }
-  return count;
+  return std::move(reader.count);
 }
 
 }  // namespace evbal

@@ -53,16 +53,20 @@ class Tables {
     }
   }
 
-  void add(const std::string& vehicle, const Fix& fix) {
-    const auto known = tracks_.find(vehicle);
-    Track& track = known == tracks_.end() ? tracks_.emplace(vehicle, map_).first->second : known->second;
-    write(vehicle, track.add(fix, counter_));
+  void add(const std::string& vehicle, const Fix& fix, bool goes_on) {
+    auto known = tracks_.find(vehicle);
+    if (known == tracks_.end()) {
+      known = tracks_.emplace(vehicle, map_).first;
+    } else if (!goes_on) {
+      end(vehicle, known->second);
+      known = tracks_.emplace_hint(tracks_.erase(known), vehicle, map_);
+    }
+    write(vehicle, known->second.add(fix, counter_));
   }
 
   void finish() {
     for (auto& [vehicle, track] : tracks_) {
-      write(vehicle, track.finish(counter_));
-      cut_off_ += track.cut_off();
+      end(vehicle, track);
     }
     trips_.keep();
     vacant_.keep();
@@ -77,10 +81,10 @@ class Tables {
   std::string report(const FixCount& count) const {
     std::ostringstream out;
     out << "files read: " << count.files << ", rows: " << count.read << "\n";
-    for (const auto& [reason, rows] : count.dropped) {
-      out << "  dropped, " << reason << ": " << rows << "\n";
+    if (count.backwards > 0) {
+      out << "  files from the newest to the oldest row, read backwards: " << count.backwards << "\n";
     }
-    out << "vehicles: " << tracks_.size() << "\n"
+    out << count.dropped.report() << "vehicles: " << tracks_.size() << "\n"
         << "trips: " << trips_.rows() << "\n"
         << "  dropped, under way when a vehicle's records begin or end: " << cut_off_ << "\n"
         << "vacant moves: " << vacant_.rows() << ", " << std::llround(vacant_km_) << " km\n";
@@ -91,6 +95,11 @@ class Tables {
   }
 
  private:
+  void end(const std::string& vehicle, Track& track) {
+    write(vehicle, track.finish(counter_));
+    cut_off_ += track.cut_off();
+  }
+
   void write(const std::string& vehicle, const TrackEvents& events) {
     static const std::vector<std::string> ends{"pickup", "gap", "records"};
     if (const auto& ride = events.ride) {
@@ -147,7 +156,8 @@ std::string ingest_gps(const GpsSources& sources, const std::filesystem::path& f
   std::filesystem::create_directories(folder / "trips", ignored);
   Tables tables(map, folder);
   const FixCount count = for_each_fix(
-      sources.gps, format, [&](const std::string& vehicle, const Fix& fix) { tables.add(vehicle, fix); }, tell);
+      sources.gps, format,
+      [&](const std::string& vehicle, const Fix& fix, bool goes_on) { tables.add(vehicle, fix, goes_on); }, tell);
   tables.finish();
   return tables.report(count);
 }

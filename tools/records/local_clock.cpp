@@ -47,6 +47,15 @@ std::vector<long long> LocalClock::utc(long long local_time) const {
   return found;
 }
 
+std::optional<long long> LocalClock::utc_after(long long local, long long after) const {
+  const auto possible = utc(local);
+  if (possible.empty()) {
+    return std::nullopt;
+  }
+  const auto later = std::upper_bound(possible.begin(), possible.end(), after);
+  return later == possible.end() ? possible.back() : *later;
+}
+
 std::optional<long long> parse_time(std::string_view text) {
   if (text.size() != 19 || text[4] != '-' || text[7] != '-' || (text[10] != ' ' && text[10] != 'T') ||
       text[13] != ':' || text[16] != ':') {

@@ -27,6 +27,9 @@ class LocalClock {
   /// repeats.
   std::vector<long long> utc(long long local) const;
 
+  /// The first of them after `after`, else the last; nothing if there is none.
+  std::optional<long long> utc_after(long long local, long long after) const;
+
  private:
   int minutes_at(long long utc) const;
 

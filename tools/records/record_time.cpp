@@ -3,8 +3,6 @@
 #include "agents/world/pack_table.hpp"
 #include "tools/records/raw_table.hpp"
 
-#include <algorithm>
-
 namespace evbal {
 namespace {
 
@@ -26,12 +24,11 @@ const char* read_record_time(std::string_view text, TimeForm form, const LocalCl
     time = *shown;
     return nullptr;
   }
-  const auto possible = clock.utc(*shown);
-  if (possible.empty()) {
+  const auto utc = clock.utc_after(*shown, after);
+  if (!utc) {
     return "at a local time that the clocks skipped";
   }
-  const auto later = std::upper_bound(possible.begin(), possible.end(), after);
-  time = later == possible.end() ? possible.back() : *later;
+  time = *utc;
   return nullptr;
 }
 

@@ -56,7 +56,7 @@ void read_local_gps(std::string_view bytes) {
                                        "clock_changes: [{utc: \"2008-11-02 09:00:00\", utc_offset_minutes: -480}]\n");
   write("local/cabs.csv", bytes);
   for_each_fix(
-      folder() / "local", read_gps_format(format), [](const std::string&, const Fix&) {}, [](const FixProgress&) {});
+      folder() / "local", read_gps_format(format), [](const std::string&, const Fix&, bool) {}, [](const FixProgress&) {});
 }
 
 void read_shapefile(std::string_view bytes) {

@@ -1,0 +1,80 @@
+#include "tools/gps/fix_rows.hpp"
+
+#include "agents/world/pack_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace evbal {
+namespace {
+
+/// Whether a name needs no quotes in a table.
+bool is_plain(std::string_view name) {
+  return !name.empty() &&
+         std::all_of(name.begin(), name.end(), [](char c) { return c > ' ' && c <= '~' && c != ',' && c != '"'; });
+}
+
+const char* unreadable_time(std::string_view text, TimeForm form) {
+  if (form != TimeForm::unix_seconds) {
+    return "no time like 2008-05-18 07:31:05";
+  }
+  return parse_integer(text).value_or(0) > 0 ? "no unix time in seconds; milliseconds?" : "no unix time in seconds";
+}
+
+}  // namespace
+
+FixRows::FixRows(const GpsFormat& format)
+    : format_(format),
+      no_flag_("neither `" + format.occupied_word + "` (occupied) nor `" + format.free_word + "` (free)") {}
+
+FixRows::Complaint FixRows::read(const RawTable& row, Fix& fix) const {
+  if (!row.whole()) {
+    return {"fewer columns than the description names", {}};
+  }
+  if (format_.vehicle && !is_plain(row.text(*format_.vehicle))) {
+    return {"no vehicle's name without blanks, commas and quotes", row.text(*format_.vehicle)};
+  }
+  const auto lat = parse_number(row.text(format_.lat));
+  if (!lat || std::abs(*lat) > 90.0) {
+    return {"no latitude in degrees, -90 to 90", row.text(format_.lat)};
+  }
+  const auto lon = parse_number(row.text(format_.lon));
+  if (!lon || std::abs(*lon) > 180.0) {
+    return {"no longitude in degrees, -180 to 180", row.text(format_.lon)};
+  }
+  const std::string_view flag = row.text(format_.occupied);
+  if (flag != format_.occupied_word && flag != format_.free_word) {
+    return {no_flag_, flag};
+  }
+  const std::string_view time = row.text(format_.time);
+  const TimeForm form = format_.time_form == TimeForm::local ? TimeForm::utc : format_.time_form;
+  if (read_record_time(time, form, format_.clock, std::numeric_limits<long long>::min(), fix.time)) {
+    return {unreadable_time(time, form), time};
+  }
+  fix.place = {*lat, *lon};
+  fix.occupied = flag == format_.occupied_word;
+  if (*lat == 0.0 && *lon == 0.0) {
+    return {kNowhere, time};
+  }
+  return {};
+}
+
+std::string vehicle_of(const std::filesystem::path& file, const GpsFormat& format) {
+  std::string name = file.filename().string();
+  for (const std::string packed : {".gz", ".xz"}) {
+    if (name.ends_with(packed)) {
+      name.resize(name.size() - packed.size());
+      break;
+    }
+  }
+  const std::size_t around = format.file_prefix.size() + format.file_suffix.size();
+  if (name.size() <= around || !name.starts_with(format.file_prefix) || !name.ends_with(format.file_suffix)) {
+    throw bad_input(
+        file.string(), 0,
+        "is not named like `" + format.file_prefix + "*" + format.file_suffix + "`, which tells the vehicle");
+  }
+  return name.substr(format.file_prefix.size(), name.size() - around);
+}
+
+}  // namespace evbal
