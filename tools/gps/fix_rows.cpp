@@ -30,16 +30,16 @@ FixRows::FixRows(const GpsFormat& format)
 
 FixRows::Complaint FixRows::read(const RawTable& row, Fix& fix) const {
   if (!row.whole()) {
-    return {"fewer columns than the description names", {}};
+    return {row.fault().reason, row.fault().value};
   }
   if (format_.vehicle && !is_plain(row.text(*format_.vehicle))) {
     return {"no vehicle's name without blanks, commas and quotes", row.text(*format_.vehicle)};
   }
-  const auto lat = parse_number(row.text(format_.lat));
+  const auto lat = row.number(format_.lat);
   if (!lat || std::abs(*lat) > 90.0) {
     return {"no latitude in degrees, -90 to 90", row.text(format_.lat)};
   }
-  const auto lon = parse_number(row.text(format_.lon));
+  const auto lon = row.number(format_.lon);
   if (!lon || std::abs(*lon) > 180.0) {
     return {"no longitude in degrees, -180 to 180", row.text(format_.lon)};
   }

@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::size_t kMostBytes = 60;  // of a value that is shown
 
-/// The value as one line of text: bytes that are none as `?`, and no longer than a reader needs.
+}  // namespace
+
 std::string shown(std::string_view value) {
   std::string text(value.substr(0, kMostBytes));
   while (!line_complaint(text).empty()) {
@@ -20,12 +21,18 @@ std::string shown(std::string_view value) {
   return "`" + text + (value.size() > kMostBytes ? "..." : "") + "`";
 }
 
-}  // namespace
-
 void Dropped::add(std::string_view reason, const std::string& file, int line, std::string_view value) {
   auto found = reasons_.find(reason);
   if (found == reasons_.end()) {
     found = reasons_.emplace(reason, Reason{0, file + ":" + std::to_string(line) + ": " + shown(value)}).first;
+  }
+  ++found->second.rows;
+}
+
+void Dropped::add(std::string_view reason, const std::string& where, std::string_view value) {
+  auto found = reasons_.find(reason);
+  if (found == reasons_.end()) {
+    found = reasons_.emplace(reason, Reason{0, where + (value.empty() ? "" : ": " + shown(value))}).first;
   }
   ++found->second.rows;
 }
@@ -46,6 +53,11 @@ std::string Dropped::report() const {
     text += "  dropped, " + reason + ": " + std::to_string(dropped.rows) + " (first: " + dropped.first + ")\n";
   }
   return text;
+}
+
+Error with_report(const Error& error, const std::string& report) {
+  const std::string lines = report.ends_with('\n') ? report.substr(0, report.size() - 1) : report;
+  return {error.status(), lines.empty() ? error.what() : error.what() + ("\n" + lines)};
 }
 
 }  // namespace evbal

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "common/error.hpp"
+
 #include <map>
 #include <string>
 #include <string_view>
@@ -11,6 +13,9 @@ class Dropped {
  public:
   /// Counts a row of `file`. `value` is what stands there instead of what `reason` asks for; it may be any bytes.
   void add(std::string_view reason, const std::string& file, int line, std::string_view value);
+
+  /// Counts what stands at `where`, if that is no line of a file.
+  void add(std::string_view reason, const std::string& where, std::string_view value);
 
   /// Rows left out for this reason.
   long long rows(std::string_view reason) const;
@@ -28,5 +33,11 @@ class Dropped {
   };
   std::map<std::string, Reason, std::less<>> reasons_;
 };
+
+/// A value as messages show it: in backticks, on one line, cut after 60 bytes.
+std::string shown(std::string_view value);
+
+/// The same error, followed by what was read and left out before it.
+Error with_report(const Error& error, const std::string& report);
 
 }  // namespace evbal

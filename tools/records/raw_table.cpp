@@ -1,23 +1,15 @@
 #include "tools/records/raw_table.hpp"
 
 #include "agents/world/pack_table.hpp"
-#include "common/table_text.hpp"
+#include "tools/records/dropped.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace evbal {
 namespace {
 
-constexpr std::size_t kLongestLine = 1 << 16;
-constexpr std::string_view kBlanks = " \t";
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) {
-    return {};
-  }
-  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
+constexpr int kLongestPreamble = 50;  // lines looked through for the header
 
 }  // namespace
 
@@ -29,6 +21,12 @@ TableFormat read_table_format(YamlMap& map) {
   if (const auto header = map.find("header")) {
     format.header = header->boolean();
   }
+  if (const auto rows = map.find("skip_rows")) {
+    format.skip_rows = rows->integer(0, 1'000'000);
+  }
+  if (const auto decimal = map.find("decimal")) {
+    format.decimal_comma = decimal->one_of({"point", "comma"}) == 1;
+  }
   return format;
 }
 
@@ -37,8 +35,16 @@ std::size_t add_column(TableFormat& format, const YamlValue& value) {
   return format.columns.size() - 1;
 }
 
+std::string column_name(const TableFormat& format, std::size_t column) {
+  const std::string& name = format.columns[column];
+  return format.header ? "`" + name + "`" : "column " + name;
+}
+
 RawTable::RawTable(const std::filesystem::path& file, const TableFormat& format)
-    : lines_(file, kLongestLine), format_(format), fields_(format.columns.size()) {
+    : rows_(file, format.separator), format_(format), fields_(format.columns.size()) {
+  for (int line = 0; line < format_.skip_rows; ++line) {
+    rows_.skip_line();
+  }
   if (format_.header) {
     find_columns();
   } else {
@@ -50,64 +56,103 @@ RawTable::RawTable(const std::filesystem::path& file, const TableFormat& format)
 }
 
 void RawTable::find_columns() {
-  if (!lines_.next(line_)) {
+  if (!rows_.next()) {
     throw error("is empty; the first line must name the columns");
   }
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (line_.starts_with(kByteOrderMark)) {
-    line_.erase(0, kByteOrderMark.size());
+  places_ = places_in_row();
+  named_ = rows_.fields().size();
+  for (std::size_t c = 0; c < places_.size(); ++c) {
+    const std::string& column = format_.columns[c];
+    if (places_[c] == named_) {
+      throw header_error(column);
+    }
+    if (std::count(rows_.fields().begin(), rows_.fields().end(), column) > 1) {
+      throw error("names the column `" + column + "` twice; which one is meant? Rename the other");
+    }
   }
-  split();
+}
+
+/// Where the row has the columns asked for; the number of its fields where it lacks one.
+std::vector<std::size_t> RawTable::places_in_row() const {
+  const auto& names = rows_.fields();
+  std::vector<std::size_t> places;
+  places.reserve(format_.columns.size());
   for (const auto& column : format_.columns) {
-    const auto found = std::find(all_.begin(), all_.end(), column);
-    if (found == all_.end()) {
-      std::vector<std::string> names(all_.begin(), all_.end());
-      throw error("has no column `" + column + "`" + did_you_mean(column, names) +
-                  "; is the description of this table?");
-    }
-    places_.push_back(static_cast<std::size_t>(found - all_.begin()));
+    places.push_back(static_cast<std::size_t>(std::find(names.begin(), names.end(), column) - names.begin()));
   }
+  return places;
 }
 
-void RawTable::split() {
-  if (line_.find('"') != std::string::npos) {
-    split_quoted();
-    return;
+Error RawTable::header_error(const std::string& column) {
+  const std::vector<std::string> names(rows_.fields().begin(), rows_.fields().end());
+  std::string all;
+  for (const auto& name : names) {
+    all += (all.empty() ? "" : ", ") + name;
   }
-  all_.clear();
-  std::string_view rest = line_;
-  const std::string_view ends = format_.separator == ' ' ? kBlanks : std::string_view(&format_.separator, 1);
-  for (std::size_t end = rest.find_first_of(ends); end != std::string_view::npos; end = rest.find_first_of(ends)) {
-    if (format_.separator != ' ' || end > 0) {
-      all_.push_back(trimmed(rest.substr(0, end)));
+  const Error at_header = error("has no column `" + column + "`" + did_you_mean(column, names) + "; it has " +
+                                shown(all) + "; is the description of this table?");
+  for (int row = 0; row < kLongestPreamble && rows_.next(); ++row) {
+    const auto places = places_in_row();
+    if (std::none_of(places.begin(), places.end(), [&](std::size_t p) { return p == rows_.fields().size(); })) {
+      return bad_input(at_header.what() + std::string(" The columns are named in line ") +
+                       std::to_string(rows_.line()) + ": give `skip_rows`, the number of lines before that one");
     }
-    rest.remove_prefix(end + 1);
   }
-  if (format_.separator != ' ' || !rest.empty()) {
-    all_.push_back(trimmed(rest));
-  }
-}
-
-void RawTable::split_quoted() {
-  split_csv(line_, format_.separator, unquoted_);
-  all_.clear();
-  for (const auto& field : unquoted_) {
-    all_.push_back(trimmed(field));
-  }
+  return at_header;
 }
 
 bool RawTable::next() {
-  do {
-    if (!lines_.next(line_)) {
-      return false;
+  if (!rows_.next()) {
+    return false;
+  }
+  fault_ = structural_fault();
+  for (std::size_t c = 0; !fault_ && c < places_.size(); ++c) {
+    fields_[c] = rows_.fields()[places_[c]];
+    if (fields_[c].find('\0') != std::string_view::npos) {
+      fault_ = {"a NUL byte in a field", fields_[c]};
     }
-  } while (trimmed(line_).empty());
-  split();
-  whole_ = all_.size() > most_;
-  for (std::size_t c = 0; whole_ && c < places_.size(); ++c) {
-    fields_[c] = all_[places_[c]];
   }
   return true;
+}
+
+RowFault RawTable::structural_fault() const {
+  const auto& all = rows_.fields();
+  if (rows_.stray_quote()) {
+    return {"quotes that do not pair", rows_.text()};
+  }
+  if (all.size() <= most_) {
+    return {"fewer columns than the description names", rows_.text()};
+  }
+  if (named_ > 0 && all.size() > named_ &&
+      std::any_of(all.begin() + static_cast<std::ptrdiff_t>(named_), all.end(),
+                  [](std::string_view field) { return !field.empty(); })) {
+    return {"more fields than the header names", rows_.text()};
+  }
+  return {};
+}
+
+std::optional<double> RawTable::number(std::size_t column) const {
+  if (!format_.decimal_comma) {
+    return parse_number(text(column));
+  }
+  std::string digits(text(column));
+  if (digits.find('.') != std::string::npos) {
+    return std::nullopt;
+  }
+  std::replace(digits.begin(), digits.end(), ',', '.');
+  return parse_number(digits);
+}
+
+std::optional<long long> RawTable::integer(std::size_t column) const {
+  constexpr double kLargest = 9e15;  // up to which doubles tell whole numbers apart
+  if (const auto whole = parse_integer(text(column))) {
+    return whole;
+  }
+  const auto value = number(column);
+  if (!value || std::abs(*value) > kLargest || *value != std::floor(*value)) {
+    return std::nullopt;
+  }
+  return static_cast<long long>(*value);
 }
 
 }  // namespace evbal

@@ -14,6 +14,11 @@ TimeForm read_time_form(YamlMap& map) {
   return static_cast<TimeForm>(map.require("time").one_of({"unix", "utc", "local"}));
 }
 
+std::string_view example_of(TimeForm form) {
+  return form == TimeForm::unix_seconds ? "seconds since 1970 such as 1211095865"
+                                        : "a time written as 2008-05-18 07:31:05";
+}
+
 const char* read_record_time(std::string_view text, TimeForm form, const LocalClock& clock, long long after,
                              long long& time) {
   const auto shown = form == TimeForm::unix_seconds ? parse_integer(text) : parse_time(text);
@@ -26,7 +31,7 @@ const char* read_record_time(std::string_view text, TimeForm form, const LocalCl
   }
   const auto utc = clock.utc_after(*shown, after);
   if (!utc) {
-    return "at a local time that the clocks skipped";
+    return skipped_time;
   }
   time = *utc;
   return nullptr;

@@ -16,8 +16,14 @@ enum class TimeForm {
 /// Reads the key `time`: unix, utc or local.
 TimeForm read_time_form(YamlMap& map);
 
+/// What a time of this form looks like, for messages.
+std::string_view example_of(TimeForm form);
+
+/// The reason under which rows are counted that tell a local time which clocks never showed.
+inline constexpr const char* skipped_time = "at a local time that the clocks skipped";
+
 /// Puts UTC seconds into `time`; a local time that clocks show twice is the first one after `after`. Returns null, or
-/// the reason for which the row is dropped: malformed_row if it is no time, another if the clocks skipped it.
+/// the reason for which the row is dropped: malformed_row if it is no time, skipped_time.
 const char* read_record_time(std::string_view text, TimeForm form, const LocalClock& clock, long long after,
                              long long& time);
 

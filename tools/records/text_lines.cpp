@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 
 namespace evbal {
 
@@ -16,8 +17,8 @@ struct LineReader::Stream {
   std::array<char, 1 << 16> buffer{};
   std::size_t size = 0;
   std::size_t at = 0;
-
   bool empty = false;
+  char line_end = '\0';  ///< known from the first buffer on
 
   std::string complaint() const {
     const char* text = archive_error_string(opened.get());
@@ -35,7 +36,16 @@ struct LineReader::Stream {
     }
     size = static_cast<std::size_t>(bytes);
     at = 0;
+    if (line_end == '\0' && size > 0) {
+      line_end = ends_lines_in_cr() ? '\r' : '\n';
+    }
     return bytes > 0;
+  }
+
+  /// Whether lines end in a carriage return alone, as on old Macintoshes.
+  bool ends_lines_in_cr() const {
+    const std::string_view text(buffer.data(), size);
+    return text.find('\n') == std::string_view::npos && text.find('\r') < size - 1;
   }
 };
 
@@ -69,7 +79,7 @@ bool LineReader::next(std::string& line) {
   while (in.at < in.size || in.refill(*this)) {
     const char* begin = in.buffer.data() + in.at;
     const char* end = in.buffer.data() + in.size;
-    const char* newline = std::find(begin, end, '\n');
+    const char* newline = std::find(begin, end, in.line_end);
     line.append(begin, newline);
     if (line.size() > longest_) {
       throw error("is longer than " + std::to_string(longest_) + " bytes; this is no table");
@@ -77,7 +87,7 @@ bool LineReader::next(std::string& line) {
     in.at = static_cast<std::size_t>(newline - in.buffer.data());
     if (newline != end) {
       ++in.at;
-      if (line.ends_with('\r')) {
+      if (in.line_end == '\n' && line.ends_with('\r')) {
         line.pop_back();
       }
       return true;

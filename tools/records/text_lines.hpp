@@ -11,7 +11,8 @@
 namespace evbal {
 
 /// The lines of a text file, plain or compressed (.gz, .xz, .bz2, .zst), read as a stream: memory does not grow with
-/// the file. Throws Error{bad_input} with file and line if the file is missing, cannot be unpacked, or truncated.
+/// the file. Lines end in LF, CR LF, or CR alone. Throws Error{bad_input} with file and line if the file is missing,
+/// cannot be unpacked, or truncated.
 class LineReader {
  public:
   /// A file with a line of more than `longest` bytes is refused, since it is hardly text.
