@@ -14,10 +14,6 @@ namespace evbal {
 namespace {
 
 constexpr std::uint64_t training_seed = 101;  ///< of the passengers' minutes, batteries and sessions
-/// Cars that a row of transitions is shrunk by.
-constexpr double prior_cars = 50.0;
-/// Minutes after midnight at which transitions change.
-const std::vector<int> period_starts{5 * 60, 7 * 60, 10 * 60, 16 * 60, 19 * 60, 22 * 60};
 
 CountDay pickups(const City& city, const DemandDay& day) {
   CountDay out{day_kind(day.date, day.holiday),
@@ -89,7 +85,7 @@ CityModel model_of_demand(const City& city, int leads, const SeriesModel& demand
   model.completions.seasonal.region.resize(city.regions.size());
   model.completions.errors = fit_residual_distribution(Eigen::MatrixXd::Zero(n * leads, 2), leads, {}, {});
   const TransitionCounts unseen(city.size());
-  model.periods = {{period_starts[0], transitions_of(unseen, unseen, 1.0)}};
+  model.periods = {{transition_periods()[0], transitions_of(unseen, unseen, 1.0)}};
   model.turnover = {{{1.0}, {0.0}}, 0.0, Eigen::MatrixXd::Zero(n, n)};
   return model;
 }
@@ -128,7 +124,7 @@ std::vector<PhiTrial> try_phi(const City& city, const std::vector<DemandDay>& tr
     CityModel with_phi = model;
     with_phi.turnover.phi = tried.at(i / days);
     const DemandDay& day = training[(i % days + 1) * training.size() / (days + 1)];
-    played[i] = play_training_day(training_world(city, day), with_phi, settings, period_starts);
+    played[i] = play_training_day(training_world(city, day), with_phi, settings, transition_periods());
   });
   std::vector<PhiTrial> trials;
   for (std::size_t i = 0; i < tried.size(); ++i) {
@@ -148,7 +144,8 @@ Eigen::MatrixXd rounded(const Eigen::MatrixXd& matrix) {
 
 }  // namespace
 
-CityFit fit_city(const City& city, int leads, const std::function<void(const std::string&)>& tell) {
+CityFit fit_city(const City& city, int leads, const std::function<void(const std::string&)>& tell,
+                 const std::vector<Period>& transitions) {
   if (city.train_days.size() < 3) {
     throw bad_input(city.name + " has " + std::to_string(city.train_days.size()) +
                     " training days; three at least are needed");
@@ -166,12 +163,12 @@ CityFit fit_city(const City& city, int leads, const std::function<void(const std
   SeriesDays completions;
   completions.training.resize(training.size());
   completions.test.resize(test.size());
-  std::vector<TransitionCounts> periods(period_starts.size(), TransitionCounts(city.size()));
+  std::vector<TransitionCounts> periods(transition_periods().size(), TransitionCounts(city.size()));
   std::mutex adding;
   parallel_for(training.size() + test.size(), [&](std::size_t i) {
     const bool trains = i < training.size();
     const DemandDay& day = trains ? training[i] : test[i - training.size()];
-    const TrainingDay played = play_training_day(training_world(city, day), fit.model, greedy, period_starts);
+    const TrainingDay played = play_training_day(training_world(city, day), fit.model, greedy, transition_periods());
     CountDay& count = trains ? completions.training[i] : completions.test[i - training.size()];
     count = {day_kind(day.date, day.holiday), played.completions};
     if (trains) {
@@ -187,12 +184,7 @@ CityFit fit_city(const City& city, int leads, const std::function<void(const std
   tell("completions and transitions of the days played");
   fit.completions = fit_series(completions, city.step_minutes, leads, regions_with_points(city));
   fit.model.completions = fit.completions.model;
-  const TransitionCounts whole_day = std::accumulate(periods.begin(), periods.end(), TransitionCounts(city.size()),
-                                                     [](TransitionCounts sum, const auto& one) { return sum += one; });
-  fit.model.periods.clear();
-  for (std::size_t period = 0; period < periods.size(); ++period) {
-    fit.model.periods.push_back({period_starts[period], transitions_of(periods[period], whole_day, prior_cars)});
-  }
+  fit.model.periods = transitions.empty() ? periods_of(periods) : transitions;
   fit.model.turnover.demand = fit_count_variance(fit.demand.training, leads);
   fit.model.turnover.same_step_dropoffs = rounded(same_step_dropoffs(city, training, city.step_minutes));
   tell("turnover on " + std::to_string(days_of_phi(city)) + " of the training days, with several phi");

@@ -31,8 +31,10 @@ struct CityFit {
 /// Estimates everything that CityModel holds from the city's training days, for `leads` steps ahead (docs/model.md,
 /// sections 2, 4 and 5): demand from the records; completions and transitions from the plant, which plays those days
 /// under `greedy` without faults; phi is the best of several with which `turnover` plays some of them. Test days are
-/// forecast, and nothing is fitted to them. Deterministic. `tell` gets a line on what is done next. Throws
+/// forecast, and nothing is fitted to them. `transitions`, if there are any, are taken in place of the plant's, such as
+/// those of real drivers (read_transitions). Deterministic. `tell` gets a line on what is done next. Throws
 /// Error{bad_input} with fewer than three training days.
-CityFit fit_city(const City& city, int leads, const std::function<void(const std::string&)>& tell);
+CityFit fit_city(const City& city, int leads, const std::function<void(const std::string&)>& tell,
+                 const std::vector<Period>& transitions = {});
 
 }  // namespace evbal

@@ -104,11 +104,6 @@ class Follower {
 
 }  // namespace
 
-std::size_t period_at(const std::vector<int>& starts, int minute) {
-  const auto after = std::upper_bound(starts.begin(), starts.end(), minute);
-  return static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, after - starts.begin()) - 1);
-}
-
 TrainingDay play_training_day(const World& world, const CityModel& model, const PlanningSettings& settings,
                               const std::vector<int>& period_starts) {
   RecedingHorizonPlanner planner(world.city, world.clock, world.day.date, settings, model);

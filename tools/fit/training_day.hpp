@@ -19,9 +19,6 @@ struct TrainingDay {
   double idle_km = 0.0;                       ///< driven without passengers
 };
 
-/// The period that holds `minute` after midnight, of those that begin at `starts`, ascending; the first before that.
-std::size_t period_at(const std::vector<int>& starts, int minute);
-
 /// Plays the world's day in this process, without faults.
 TrainingDay play_training_day(const World& world, const CityModel& model, const PlanningSettings& settings,
                               const std::vector<int>& period_starts);

@@ -2,7 +2,9 @@
 
 #include "common/contract.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace evbal {
 namespace {
@@ -34,6 +36,16 @@ Eigen::MatrixXd shares_of(const Eigen::MatrixXd& period, const Eigen::MatrixXd& 
 
 }  // namespace
 
+const std::vector<int>& transition_periods() {
+  static const std::vector<int> starts{5 * 60, 7 * 60, 10 * 60, 16 * 60, 19 * 60, 22 * 60};
+  return starts;
+}
+
+std::size_t period_at(const std::vector<int>& starts, int minute) {
+  const auto after = std::upper_bound(starts.begin(), starts.end(), minute);
+  return static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, after - starts.begin()) - 1);
+}
+
 TransitionCounts::TransitionCounts(int regions)
     : vacant(Eigen::MatrixXd::Zero(regions, 3 * regions)), occupied(Eigen::MatrixXd::Zero(regions, 2 * regions)) {}
 
@@ -64,6 +76,19 @@ Transitions transitions_of(const TransitionCounts& period, const TransitionCount
   const Eigen::MatrixXd p = shares_of(period.vacant, day.vacant, prior);
   const Eigen::MatrixXd q = shares_of(period.occupied, day.occupied, prior);
   return {p.leftCols(n), p.middleCols(n, n), p.rightCols(n), q.leftCols(n), q.rightCols(n)};
+}
+
+std::vector<Period> periods_of(const std::vector<TransitionCounts>& counts) {
+  EVBAL_EXPECT(counts.size() == transition_periods().size(), "counts for each period");
+  const TransitionCounts none(static_cast<int>(counts[0].vacant.rows()));
+  const TransitionCounts day = std::accumulate(counts.begin(), counts.end(), none,
+                                               [](TransitionCounts sum, const auto& one) { return sum += one; });
+  std::vector<Period> periods;
+  periods.reserve(counts.size());
+  for (std::size_t p = 0; p < counts.size(); ++p) {
+    periods.push_back({transition_periods()[p], transitions_of(counts[p], day, transition_prior)});
+  }
+  return periods;
 }
 
 }  // namespace evbal

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "common/eigen.hpp"
-#include "coordinator/balancing/problem.hpp"
+#include "coordinator/planning/city_model.hpp"
 
 #include <vector>
 
@@ -37,9 +37,21 @@ struct TransitionCounts {
   TransitionCounts& operator+=(const TransitionCounts& other);
 };
 
+/// Minutes after midnight at which the periods of the day begin in which transitions differ; the last ends at midnight.
+const std::vector<int>& transition_periods();
+
+/// Cars that a row of counts is shrunk by (transitions_of).
+inline constexpr double transition_prior = 50.0;
+
+/// The period that holds `minute` after midnight, of those that begin at `starts`, ascending; the first before that.
+std::size_t period_at(const std::vector<int>& starts, int minute);
+
 /// Shares of the counts of a period. A row with n cars is shrunk towards the row of `day` as if that were `prior`
 /// cars more, and that towards cars that stay what and where they are by as many: rows seen rarely are never empty.
 /// Shares are multiples of 1e-6; rows sum to one.
 Transitions transitions_of(const TransitionCounts& period, const TransitionCounts& day, double prior);
+
+/// Shares by period, of counts for each of transition_periods(), shrunk towards their sum by transition_prior.
+std::vector<Period> periods_of(const std::vector<TransitionCounts>& counts);
 
 }  // namespace evbal

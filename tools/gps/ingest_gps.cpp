@@ -5,8 +5,8 @@
 #include "common/error.hpp"
 #include "common/files.hpp"
 #include "common/table_text.hpp"
+#include "tools/fit/transition_table.hpp"
 #include "tools/gps/track.hpp"
-#include "tools/gps/transition_table.hpp"
 
 #include <cmath>
 #include <optional>
@@ -74,7 +74,7 @@ class Tables {
       charging_->keep();
     }
     if (map_.region_map) {
-      transitions_ = write_transitions(counter_, map_.regions, folder_ / "transitions.csv");
+      transitions_ = write_transitions(counter_.periods(), map_.regions, folder_ / "transitions.csv");
     }
   }
 

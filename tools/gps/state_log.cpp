@@ -9,24 +9,14 @@ constexpr long long kEvery = 600;  // s: plans are made as often
 constexpr long long kStep = 1800;  // s
 constexpr long long kMinutesOfDay = 24 * 60;
 
-std::size_t period_of(long long minute) {
-  const auto& starts = TransitionCounter::period_starts();
-  return static_cast<std::size_t>(std::upper_bound(starts.begin(), starts.end(), minute) - starts.begin()) - 1;
-}
-
 }  // namespace
 
-const std::vector<int>& TransitionCounter::period_starts() {
-  static const std::vector<int> starts{5 * 60, 7 * 60, 10 * 60, 16 * 60, 19 * 60, 22 * 60};
-  return starts;
-}
-
-TransitionCounter::TransitionCounter(int regions) : periods_(period_starts().size(), TransitionCounts(regions)) {}
+TransitionCounter::TransitionCounter(int regions) : periods_(transition_periods().size(), TransitionCounts(regions)) {}
 
 void TransitionCounter::add(long long local_time, const CarPlace& start, const CarPlace& end) {
-  const long long minute = local_time / 60 % kMinutesOfDay;
-  if (minute >= period_starts().front() && minute + kStep / 60 <= kMinutesOfDay) {
-    periods_[period_of(minute)].add({start}, {end});
+  const int minute = static_cast<int>(local_time / 60 % kMinutesOfDay);
+  if (minute >= transition_periods().front() && minute + kStep / 60 <= kMinutesOfDay) {
+    periods_[period_at(transition_periods(), minute)].add({start}, {end});
   }
 }
 

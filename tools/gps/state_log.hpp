@@ -33,13 +33,10 @@ class TransitionCounter {
   /// Counts nothing yet.
   explicit TransitionCounter(int regions);
 
-  /// Minutes after midnight at which each period begins; the last ends at midnight.
-  static const std::vector<int>& period_starts();
-
   /// A vehicle was at `start` at this local time, and half an hour later at `end`.
   void add(long long local_time, const CarPlace& start, const CarPlace& end);
 
-  /// The counts, one for each of period_starts().
+  /// The counts, one for each of transition_periods().
   const std::vector<TransitionCounts>& periods() const { return periods_; }
 
  private:

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 namespace evbal {
 namespace {
 
@@ -14,6 +16,25 @@ TEST(Fit, GivesTheModelThatIsShipped) {
   EXPECT_TRUE(text_of(line.path() / "model.json") == text_of(EVBAL_SOURCE_DIR "/experiments/cities/toy-5/model.json"))
       << "fit the shipped cities again: evbal fit toy-5, evbal fit san-francisco-54";
   EXPECT_NE(ended.out.find("\n   500 "), std::string::npos) << "the threshold table";
+}
+
+TEST(Fit, TakesTheTransitionsOfDrivers) {
+  const CommandLine line;
+  std::string table = "from,region,state,cars,becomes,in_region,share\n";
+  for (const char* from : {"05:00", "07:00", "10:00", "16:00", "19:00", "22:00"}) {
+    for (const std::string region : {"r1", "r2", "r3", "r4", "r5"}) {
+      table += std::string(from) + "," + region + ",vacant,9,vacant," + region + ",1\n";
+      table += std::string(from) + "," + region + ",occupied,9,vacant,r3,1\n";
+    }
+  }
+  std::ofstream(line.path() / "transitions.csv") << table;
+  const Ended ended = line.evbal("fit toy-5 --transitions transitions.csv --out model.json");
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  EXPECT_NE(text_of(line.path() / "model.json").find("[[0.0,0.0,1.0,0.0,0.0],[0.0,0.0,1.0,0.0,0.0],"),
+            std::string::npos);
+  const Ended refused = line.evbal("fit san-francisco-54 --transitions transitions.csv --out other.json");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("transitions.csv:2: the city has no region `r1`"), std::string::npos) << refused.err;
 }
 
 TEST(Fit, RefusesACityThatItCannotFit) {
