@@ -28,9 +28,9 @@ FixRows::FixRows(const GpsFormat& format)
     : format_(format),
       no_flag_("neither `" + format.occupied_word + "` (occupied) nor `" + format.free_word + "` (free)") {}
 
-FixRows::Complaint FixRows::read(const RawTable& row, Fix& fix) const {
+RowFault FixRows::read(const RawTable& row, Fix& fix) const {
   if (!row.whole()) {
-    return {row.fault().reason, row.fault().value};
+    return row.fault();
   }
   if (format_.vehicle && !is_plain(row.text(*format_.vehicle))) {
     return {"no vehicle's name without blanks, commas and quotes", row.text(*format_.vehicle)};
@@ -55,7 +55,7 @@ FixRows::Complaint FixRows::read(const RawTable& row, Fix& fix) const {
   fix.place = {*lat, *lon};
   fix.occupied = flag == format_.occupied_word;
   if (*lat == 0.0 && *lon == 0.0) {
-    return {kNowhere, time};
+    return {"at 0,0, which receivers write that know no place", time, false};
   }
   return {};
 }

@@ -3,6 +3,7 @@
 #include "common/decimal.hpp"
 #include "tools/gps/drivable.hpp"
 #include "tools/gps/fix_rows.hpp"
+#include "tools/records/row_tally.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -13,7 +14,7 @@ namespace evbal {
 namespace {
 
 constexpr long long kTellEvery = 100'000;      // rows
-constexpr long long kRowsToJudge = 100;        // if so many first rows are unreadable, the format is wrong
+constexpr long long kFewDisordered = 100;      // rows out of order that any table may have
 constexpr std::size_t kMostWaiting = 250'000;  // rows that are looked at together
 constexpr std::size_t kLookAhead = 60;         // rows of a vehicle that wait for those after them
 constexpr std::string_view kDisordered = "out of the order of time";
@@ -70,7 +71,7 @@ class Sorter {
     count_.backwards += backwards_ ? 1 : 0;
     const long long disordered = count_.dropped.rows(kDisordered) - disordered_before_;
     const long long read = count_.read - read_before_;
-    if (disordered > kRowsToJudge && 10 * disordered > read) {
+    if (disordered > kFewDisordered && 10 * disordered > read) {
       throw bad_input(file_, 0,
                       std::to_string(disordered) + " of its " + std::to_string(read) +
                           " rows are not in the order of time, or older than an earlier file's of the same vehicle; "
@@ -192,35 +193,31 @@ class Reader {
       sorter_.begin_vehicle(vehicle_of(file, format_));
     }
     tell_({count.files, files, count.read});
-    long long unreadable = 0;
-    for (long long row = 1; table.next(); ++row) {
-      unreadable += take(table) ? 0 : 1;
-      if (row == kRowsToJudge && unreadable == row) {
-        throw table.error("and all rows before it cannot be read; is the description of this table?");
-      }
+    RowTally tally(table, count.dropped);
+    while (table.next()) {
+      take(table, tally);
       if (++count.read % kTellEvery == 0) {
         tell_({count.files, files, count.read});
       }
     }
+    tally.finish();
     sorter_.end_file();
   }
 
   FixCount count;
 
  private:
-  /// False if the row cannot be read.
-  bool take(const RawTable& table) {
+  void take(const RawTable& table, RowTally& tally) {
     Fix fix;
-    const auto [reason, value] = rows_.read(table, fix);
-    if (!reason.empty()) {
-      count.dropped.add(reason, table.file(), table.line(), value);
-      return reason == kNowhere;
+    if (const RowFault fault = rows_.read(table, fix)) {
+      tally.drop(fault);
+      return;
     }
+    tally.keep();
     if (format_.vehicle) {
       sorter_.begin_vehicle(table.text(*format_.vehicle));
     }
     sorter_.add(fix, table.line());
-    return true;
   }
 
   const GpsFormat& format_;
@@ -243,8 +240,7 @@ FixCount for_each_fix(const std::filesystem::path& folder, const GpsFormat& form
       throw bad_input(folder.string(), 0, "has no fix that counts");
     }
   } catch (const Error& error) {
-    const std::string dropped = reader.count.dropped.report();
-    throw Error(error.status(), error.what() + (dropped.empty() ? "" : "\n" + dropped.substr(0, dropped.size() - 1)));
+    throw with_report(error, reader.count.dropped.report());
   }
   return std::move(reader.count);
 }

@@ -1,63 +1,129 @@
 #include "tools/ingest/ingest_stations.hpp"
 
 #include "agents/world/geometry.hpp"
-#include "agents/world/pack_table.hpp"
 #include "common/plain_text.hpp"
+#include "tools/ingest/station_list.hpp"
+#include "tools/records/row_tally.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <optional>
 #include <set>
 #include <sstream>
 
 namespace evbal {
 namespace {
 
-constexpr int kMostPoints = 10'000;
+constexpr long long kMostPoints = 10'000;
 
-/// Reads rows into stations, or gives the reason why it cannot.
+/// A name in one line: line breaks and tabs become blanks.
+std::string one_line(std::string_view text) {
+  std::string name(text);
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
+  return name;
+}
+
+/// Reads rows into stations.
 class StationReader {
  public:
   StationReader(const StationFormat& format, const std::vector<Outline>& outlines, double snap_m)
       : format_(format), map_(outlines), snap_m_(snap_m) {}
 
-  /// Empty if a station was added, else the reason.
-  std::string add(const RawTable& row) {
+  /// Adds the station of a row, or says why it cannot.
+  RowFault add(const RawTable& row) {
     if (!row.whole()) {
-      return malformed_row;
+      return row.fault();
     }
-    const auto lat = parse_number(row.text(format_.lat));
-    const auto lon = parse_number(row.text(format_.lon));
-    const auto points = parse_integer(row.text(format_.points));
-    const std::string name(row.text(format_.name));
-    if (!lat || !lon || !points || std::abs(*lat) > 90.0 || std::abs(*lon) > 180.0 || *points > kMostPoints ||
-        name.empty() || !line_complaint(name).empty()) {
-      return malformed_row;
+    Station station;
+    RowFault fault = read_place(row, station.place);
+    fault = fault ? fault : read_points(row, station.points);
+    fault = fault ? fault : read_name(row, station.name);
+    if (fault) {
+      return fault;
     }
-    if (*points < 1) {
-      return "no points";
-    }
-    const auto nearest = map_.nearest({*lat, *lon});
+    const auto nearest = map_.nearest(station.place);
     if (nearest.metres > snap_m_) {
-      return "outside the regions";
-    }
-    if (!names_.insert(name).second) {
-      return "name given before";
+      return {"outside the regions", row.text(format_.name), false};
     }
     snapped += nearest.metres > 0.0 ? 1 : 0;
-    stations.push_back({name, nearest.outline, static_cast<int>(*points), {*lat, *lon}});
-    return "";
+    station.region = nearest.outline;
+    list.add(station, row.file() + ":" + std::to_string(row.line()));
+    return {};
   }
 
-  std::vector<Station> stations;
+  StationList list;
   long long snapped = 0;
 
  private:
+  RowFault read_place(const RawTable& row, LatLon& place) const {
+    const auto lat = row.number(format_.lat);
+    if (!lat || std::abs(*lat) > 90.0) {
+      return {"no latitude in degrees, -90 to 90", row.text(format_.lat)};
+    }
+    const auto lon = row.number(format_.lon);
+    if (!lon || std::abs(*lon) > 180.0) {
+      return {"no longitude in degrees, -180 to 180", row.text(format_.lon)};
+    }
+    place = {*lat, *lon};
+    return {};
+  }
+
+  RowFault read_points(const RawTable& row, int& points) const {
+    bool told = false;
+    long long sum = 0;
+    for (const std::size_t column : format_.points) {
+      if (row.text(column).empty()) {
+        continue;
+      }
+      const auto number = row.integer(column);
+      if (!number || std::abs(*number) > kMostPoints) {
+        return {"no number of points, a whole number up to 10000", row.text(column)};
+      }
+      sum += *number;
+      told = true;
+    }
+    if (!told) {
+      return {"no number of points told", row.text(format_.name), false};
+    }
+    if (sum < 1 || sum > kMostPoints) {
+      return {sum < 1 ? "no points" : "more than 10000 points", row.text(format_.name), false};
+    }
+    points = static_cast<int>(sum);
+    return {};
+  }
+
+  RowFault read_name(const RawTable& row, std::string& name) const {
+    name = one_line(row.text(format_.name));
+    if (name.empty()) {
+      return {"no name", row.text(format_.lat), false};
+    }
+    if (find_invalid_utf8(name) != std::string::npos) {
+      return {"name is not UTF-8", row.text(format_.name), false};
+    }
+    if (!line_complaint(name).empty()) {
+      return {"name with a control character", row.text(format_.name), false};
+    }
+    return {};
+  }
+
   const StationFormat& format_;
   OutlineMap map_;
   double snap_m_;
-  std::set<std::string> names_;
 };
+
+std::string used_report(const std::vector<Station>& stations, std::size_t regions) {
+  std::set<int> with_points;
+  long long points = 0;
+  for (const auto& station : stations) {
+    with_points.insert(station.region);
+    points += station.points;
+  }
+  std::ostringstream out;
+  out << "stations used: " << stations.size() << " with " << points << " points in " << with_points.size() << " of "
+      << regions << " regions\n";
+  return out.str();
+}
 
 }  // namespace
 
@@ -68,7 +134,13 @@ StationFormat read_station_format(YamlMap& map) {
   format.name = add_column(format.table, columns.require("name"));
   format.lat = add_column(format.table, columns.require("lat"));
   format.lon = add_column(format.table, columns.require("lon"));
-  format.points = add_column(format.table, columns.require("points"));
+  const YamlValue points = columns.require("points");
+  for (const YamlValue& column : points.is_list() ? points.items() : std::vector<YamlValue>{points}) {
+    format.points.push_back(add_column(format.table, column));
+  }
+  if (format.points.empty()) {
+    throw points.error("expected a column, or a list of columns that add up");
+  }
   columns.finish();
   return format;
 }
@@ -76,36 +148,32 @@ StationFormat read_station_format(YamlMap& map) {
 IngestedStations ingest_stations(const std::filesystem::path& table, const StationFormat& format,
                                  const std::vector<Region>& regions, double snap_m) {
   StationReader reader(format, outlines_of(regions), snap_m);
-  RawTable rows(table, format.table);
+  Dropped dropped;
   long long read = 0;
-  std::map<std::string, long long> dropped;
-  while (rows.next()) {
-    ++read;
-    const std::string reason = reader.add(rows);
-    if (!reason.empty()) {
-      ++dropped[reason];
+  try {
+    RawTable rows(table, format.table);
+    RowTally tally(rows, dropped);
+    for (; rows.next(); ++read) {
+      if (const RowFault fault = reader.add(rows)) {
+        tally.drop(fault);
+      } else {
+        tally.keep();
+      }
     }
+    tally.finish();
+    if (reader.list.stations().empty()) {
+      throw bad_input(table.string(), 0, "has no station in a region");
+    }
+  } catch (const Error& error) {
+    throw with_report(error, dropped.report());
   }
-  if (reader.stations.empty()) {
-    throw bad_input(table.string(), 0, "has no station in a region");
-  }
-  std::stable_sort(reader.stations.begin(), reader.stations.end(),
+  std::vector<Station> stations = reader.list.stations();
+  std::stable_sort(stations.begin(), stations.end(),
                    [](const Station& a, const Station& b) { return a.region < b.region; });
-  std::ostringstream out;
-  out << "stations read: " << read << "\n";
-  for (const auto& [reason, count] : dropped) {
-    out << "  dropped, " << reason << ": " << count << "\n";
-  }
-  std::set<int> with_points;
-  long long points = 0;
-  for (const auto& station : reader.stations) {
-    with_points.insert(station.region);
-    points += station.points;
-  }
-  out << "stations used: " << reader.stations.size() << " with " << points << " points in " << with_points.size()
-      << " of " << regions.size() << " regions\n"
-      << "  outside all regions, moved to the nearest: " << reader.snapped << "\n";
-  return {std::move(reader.stations), out.str()};
+  const std::string report = "rows read: " + std::to_string(read) + "\n" + dropped.report() + reader.list.report() +
+                             used_report(stations, regions.size()) +
+                             "  outside all regions, moved to the nearest: " + std::to_string(reader.snapped) + "\n";
+  return {std::move(stations), report};
 }
 
 }  // namespace evbal

@@ -11,14 +11,15 @@ namespace evbal {
 
 /// Where the columns of a table of stations are.
 struct StationFormat {
-  TableFormat table;       ///< separator, header and columns
-  std::size_t name = 0;    ///< column
-  std::size_t lat = 0;     ///< column, WGS84 degrees
-  std::size_t lon = 0;     ///< column, WGS84 degrees
-  std::size_t points = 0;  ///< column, number of charging points
+  TableFormat table;                ///< separator, header and columns
+  std::size_t name = 0;             ///< column
+  std::size_t lat = 0;              ///< column, WGS84 degrees
+  std::size_t lon = 0;              ///< column, WGS84 degrees
+  std::vector<std::size_t> points;  ///< columns, numbers of charging points that add up
 };
 
-/// Reads the keys `separator`, `header` and `columns`: {name, lat, lon, points} (docs/ingest.md).
+/// Reads the keys of a table (read_table_format) and `columns`: {name, lat, lon, points}, where `points` is a column or
+/// a list of columns (docs/ingest.md).
 StationFormat read_station_format(YamlMap& map);
 
 /// What ingest_stations makes.
@@ -28,7 +29,9 @@ struct IngestedStations {
 };
 
 /// Puts the stations of a table into the regions that they lie in; those up to `snap_m` outside all regions into the
-/// nearest. Rows without points or too far out are dropped. Throws Error{bad_input}, also if no station remains.
+/// nearest. Rows of one name within 100 m are one station, whose points add up; further apart they are several, of
+/// which all but the first get a number after their name. Rows that cannot be read, without points or too far out are
+/// dropped. Throws Error{bad_input} with what was dropped, also if no row can be read or no station remains.
 IngestedStations ingest_stations(const std::filesystem::path& table, const StationFormat& format,
                                  const std::vector<Region>& regions, double snap_m);
 

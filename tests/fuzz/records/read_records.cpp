@@ -3,8 +3,10 @@
 
 #include "agents/world/factors.hpp"
 #include "agents/world/regions_file.hpp"
+#include "agents/world/stations_yaml.hpp"
 #include "common/error.hpp"
 #include "common/scratch_folder.hpp"
+#include "tools/fit/transition_table.hpp"
 #include "tools/gps/ingest_gps.hpp"
 #include "tools/ingest/ingest_partition.hpp"
 #include "tools/ingest/ingest_stations.hpp"
@@ -56,7 +58,8 @@ void read_local_gps(std::string_view bytes) {
                                        "clock_changes: [{utc: \"2008-11-02 09:00:00\", utc_offset_minutes: -480}]\n");
   write("local/cabs.csv", bytes);
   for_each_fix(
-      folder() / "local", read_gps_format(format), [](const std::string&, const Fix&, bool) {}, [](const FixProgress&) {});
+      folder() / "local", read_gps_format(format), [](const std::string&, const Fix&, bool) {},
+      [](const FixProgress&) {});
 }
 
 void read_shapefile(std::string_view bytes) {
@@ -73,8 +76,13 @@ void read_geojson(std::string_view bytes) {
 }
 
 void read_stations_table(std::string_view bytes) {
-  YamlMap map(YamlValue::parse("columns: {name: id, lat: lat, lon: lon, points: n}", "format.yaml"));
-  ingest_stations(write("stations.csv", bytes), read_station_format(map), regions(), 500.0);
+  YamlMap map(YamlValue::parse("columns: {name: id, lat: lat, lon: lon, points: [n, m]}", "format.yaml"));
+  const auto made = ingest_stations(write("stations.csv", bytes), read_station_format(map), regions(), 500.0);
+  read_stations(write("stations.yaml", stations_yaml(made.stations, regions())), regions());
+}
+
+void read_transition_table(std::string_view bytes) {
+  read_transitions(write("transitions.csv", bytes), regions());
 }
 
 void read_trip_table(std::string_view bytes) {
@@ -113,9 +121,9 @@ void read_pack_files(std::string_view bytes) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace evbal;
-  static constexpr void (*readers[])(std::string_view){read_gps,           read_local_gps,      read_shapefile,
-                                                       read_geojson,       read_stations_table, read_trip_table,
-                                                       read_session_table, read_pack_files,     read_trips_by_zone};
+  static constexpr void (*readers[])(std::string_view){
+      read_gps,        read_local_gps,     read_shapefile,  read_geojson,       read_stations_table,
+      read_trip_table, read_session_table, read_pack_files, read_trips_by_zone, read_transition_table};
   if (size == 0) {
     return 0;
   }
