@@ -1,5 +1,6 @@
 #include "common/error.hpp"
 #include "tests/folder.hpp"
+#include "tests/support/source_folder.hpp"
 #include "tools/ingest/sessions.hpp"
 #include "tools/ingest/stations.hpp"
 #include "tools/ingest/travel.hpp"
@@ -73,13 +74,76 @@ TEST(Sessions, AreThoseOfTheModelAndOfAllowedLength) {
       "5,5,2,31/02/2017,12:00,31/02/2017,12:30,9,0,x,g,APT Triple Rapid Charger\n"
       "6,5,2,01/12/2017,12:00,01/12/2017,12:30,9,0,x,g,APT 7kW Dual Outlet\n");
   folder.write("places.csv", "Latitude,Longitude\n56,-3\n");
-  const SessionSample sample = read_sessions(folder.path(), "Rapid", 12.0, 90.0);
+  const SessionSample sample = read_sessions(folder.path(), dundee_session_format(), {"Rapid", 12.0, 90.0});
   EXPECT_EQ(sample.minutes, (std::vector<double>{20.0, 30.0}));
-  EXPECT_EQ(sample.read, 6);
-  EXPECT_EQ(sample.other_model, 1);
-  EXPECT_EQ(sample.unfinished, 2);
-  EXPECT_EQ(sample.out_of_range, 1);
-  EXPECT_THROW(read_sessions(folder.path(), "Ultra", 12.0, 90.0), Error);
+  const std::string first = " (first: " + (folder.path() / "a.csv").string();
+  EXPECT_EQ(sample.report,
+            "session rows read: 6\n"
+            "  dropped, another model of charger: 1" +
+                first +
+                ":7: `APT 7kW Dual Outlet`)\n"
+                "  dropped, no start or no end: 1" +
+                first +
+                ":5: ` `)\n"
+                "  dropped, no time like `%d/%m/%Y %H:%M`: 1" +
+                first +
+                ":6: `31/02/2017 12:00`)\n"
+                "  dropped, not from 12 to 90 min long: 1" +
+                first +
+                ":4: `3 min`)\n"
+                "  tables without these columns, not read: 1 (first: " +
+                (folder.path() / "places.csv").string() +
+                ")\n"
+                "sessions used: 2, median 25 min\n");
+  try {
+    read_sessions(folder.path(), dundee_session_format(), {"Ultra", 12.0, 90.0});
+    FAIL() << "was accepted";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("model `Ultra` and of allowed length\n  dropped, another model"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(Sessions, AreReadByDescription) {
+  const Folder folder;
+  folder.write("gps/charging.csv",
+               "cab,station,region,arrival_unix,start_unix,end_unix\n"
+               "7,s,r,1211139600,1211140500,1211143740\n"
+               "7,s,r,1211139600,1211140500,\n");
+  const auto format = folder.write("format.yaml", "columns: {start: start_unix, end: end_unix}\ntime: unix\n");
+  const SessionSample sample = read_sessions(folder.path() / "gps", read_session_format(format), {"none", 1.0, 90.0});
+  EXPECT_EQ(sample.minutes, (std::vector<double>{54.0}));
+  const auto refused = [&](const std::string& text, const std::string& reason) {
+    try {
+      read_sessions(folder.path() / "gps", read_session_format(folder.write("format.yaml", text)), {"none", 1.0, 90.0});
+      FAIL() << "was accepted";
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
+    }
+  };
+  refused("columns: {start: begin, end: end_unix}\ntime: unix\n", "charging.csv:1: has no column `begin`");
+  refused("columns: {start: start_unix, end: end_unix}\ntime: \"%d.%m.%y\"\n", "none of %Y %m %d %H %M %S");
+  refused("columns: {start: start_unix, end: end_unix}\ntime: \"%d.%m.%Y\"\n", "format.yaml:2: `%d.%m.%Y` lacks %H");
+  refused("columns: {start: start_unix, end: end_unix}\ntime: \"%Y-%m-%d %H:%M\"\n",
+          "charging.csv:2: no time like `%Y-%m-%d %H:%M`: `1211140500`; none of 2 rows can be read");
+}
+
+TEST(TimeLike, FollowsItsPattern) {
+  EXPECT_EQ(time_like("%d/%m/%Y %H:%M", "01/03/2024 12:05"), 1709294700);
+  EXPECT_EQ(time_like("%m/%d/%Y %H:%M:%S", "3/1/2024 9:05:07"), 1709283907);
+  EXPECT_EQ(time_like("%d/%m/%Y %H:%M", "01/13/2024 12:05"), std::nullopt);
+  EXPECT_EQ(time_like("%d/%m/%Y %H:%M", "01/03/2024 12:05 "), std::nullopt);
+  EXPECT_EQ(time_like("%d/%m/%Y %H:%M", "01/03/2024 24:05"), std::nullopt);
+  EXPECT_EQ(time_like("%d/%m/%Y %H:%M", "01/03/2024"), std::nullopt);
+}
+
+TEST(DundeeSessionFormat, IsTheOneThatIsShipped) {
+  const SessionFormat shipped = read_session_format(test::in_source("tools/ingest/dundee.yaml"));
+  const SessionFormat built_in = dundee_session_format();
+  EXPECT_EQ(shipped.table.columns, built_in.table.columns);
+  EXPECT_EQ(shipped.time, built_in.time);
+  EXPECT_EQ(shipped.charger, built_in.charger);
 }
 
 TEST(Quantiles, AreLinearBetweenOrderStatistics) {

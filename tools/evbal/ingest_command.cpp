@@ -99,6 +99,8 @@ void add_trips(CLI::App& ingest) {
   command->add_option("--zones", sources.zones, "Polygons to merge: GeoJSON, plain or compressed, or a shapefile")
       ->required();
   command->add_option("--sessions", sources.sessions, "Folder of charging sessions")->required();
+  command->add_option("--session-format", sources.session_format,
+                      "YAML of where their columns are; without it, as Dundee City Council publishes them");
   command->add_option("--notes", sources.notes, "YAML of what the records do not say: days, fleet, chargers, limits")
       ->required();
   command->add_option("--regions", sources.regions, "Number of regions")

@@ -207,12 +207,7 @@ std::string report_of(const City& city, const Counts& counts, const TravelLaw& l
       << std::lround(counts.pickups.maxCoeff()) << ", mean " << std::lround(counts.pickups.mean()) << "\n"
       << "travel law: minutes = " << law.start << " + " << law.per_km << " * km\n"
       << "stations: " << city.stations.size() << ", points: " << city.points().sum() << "\n"
-      << "session rows read: " << sessions.read << "\n"
-      << "  dropped, another model of charger: " << sessions.other_model << "\n"
-      << "  dropped, no start or no end: " << sessions.unfinished << "\n"
-      << "  dropped, too short or too long: " << sessions.out_of_range << "\n"
-      << "sessions used: " << sessions.minutes.size() << ", median "
-      << city.charging.session_quantiles[kSessionQuantiles / 2] << " min\n";
+      << sessions.report;
   return out.str();
 }
 
@@ -230,8 +225,10 @@ IngestedCity ingest_trips(const TripSources& sources) {
   const RegionFinder finder(zones, merged.region_of, notes.snap_m);
   TravelSums travel(sources.regions, weights.mean_pickup);
   const Counts counts = count_trips(sources, notes, trips, finder, travel);
-  const SessionSample sessions =
-      read_sessions(sources.sessions, notes.session_model, notes.shortest_session, notes.longest_session);
+  const SessionSample sessions = read_sessions(
+      sources.sessions,
+      sources.session_format.empty() ? dundee_session_format() : read_session_format(sources.session_format),
+      notes.sessions);
 
   IngestedCity made{notes.city, {}, {}};
   City& city = made.city;

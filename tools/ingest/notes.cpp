@@ -33,9 +33,9 @@ void read_charging_notes(const YamlValue& value, CityNotes& notes) {
   notes.city.charging.power_kw = map.require("power_kw").number(0.1, 10'000.0);
   notes.stations = map.require("stations").integer(1, 10'000);
   notes.points = map.require("points").integer(notes.stations, 1'000'000);
-  notes.session_model = map.require("session_model").text();
-  notes.shortest_session = map.require("shortest_session").duration();
-  notes.longest_session = map.require("longest_session").duration();
+  notes.sessions.model = map.require("session_model").text();
+  notes.sessions.shortest = map.require("shortest_session").duration();
+  notes.sessions.longest = map.require("longest_session").duration();
   map.finish();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "agents/world/city.hpp"
+#include "tools/ingest/sessions.hpp"
 #include "tools/records/local_clock.hpp"
 
 #include <filesystem>
@@ -32,9 +33,7 @@ struct CityNotes {
   int stations = 0;  ///< to place
   int points = 0;    ///< of all stations, >= stations
 
-  std::string session_model;       ///< word in the charger's model by which its sessions count
-  double shortest_session = 12.0;  ///< minutes
-  double longest_session = 90.0;   ///< minutes
+  SessionChoice sessions;  ///< whose lengths are those of the fleet
 };
 
 /// Reads such a file. Throws Error{bad_input} with file and line.

@@ -2,104 +2,133 @@
 
 #include "agents/world/pack_table.hpp"
 #include "common/contract.hpp"
-#include "common/table_text.hpp"
+#include "common/decimal.hpp"
+#include "tools/records/row_tally.hpp"
 #include "tools/records/text_lines.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <optional>
+#include <cmath>
+#include <sstream>
 
 namespace evbal {
 namespace {
 
-/// Minutes since 1970 of "dd/mm/yyyy", "hh:mm".
-std::optional<long long> parse_minute(const std::string& date, const std::string& time) {
-  if (date.size() != 10 || date[2] != '/' || date[5] != '/' || time.size() != 5 || time[2] != ':') {
-    return std::nullopt;
+constexpr long long kLastSecond = 253'402'300'799;  // year 9999
+
+/// Whether the first row of a table names all columns of the format.
+bool has_columns(const std::filesystem::path& file, const TableFormat& format) {
+  CsvRows rows(file, format.separator);
+  for (int line = 0; line < format.skip_rows; ++line) {
+    rows.skip_line();
   }
-  const auto day = parse_integer(date.substr(0, 2));
-  const auto month = parse_integer(date.substr(3, 2));
-  const auto year = parse_integer(date.substr(6));
-  const auto hour = parse_integer(time.substr(0, 2));
-  const auto minute = parse_integer(time.substr(3));
-  if (!day || !month || !year || !hour || !minute) {
-    return std::nullopt;
-  }
-  const std::chrono::year_month_day calendar(std::chrono::year(static_cast<int>(*year)),
-                                             std::chrono::month(static_cast<unsigned>(*month)),
-                                             std::chrono::day(static_cast<unsigned>(*day)));
-  if (!calendar.ok()) {
-    return std::nullopt;
-  }
-  return std::chrono::sys_days(calendar).time_since_epoch().count() * 24LL * 60LL + *hour * 60 + *minute;
+  return !format.header ||
+         (rows.next() && std::all_of(format.columns.begin(), format.columns.end(), [&](const auto& column) {
+            return std::find(rows.fields().begin(), rows.fields().end(), column) != rows.fields().end();
+          }));
 }
 
-struct Columns {
-  std::size_t start_date = 0;
-  std::size_t start_time = 0;
-  std::size_t end_date = 0;
-  std::size_t end_time = 0;
-  std::size_t model = 0;
-  std::size_t count = 0;
+/// Reads the rows of tables of sessions.
+class SessionReader {
+ public:
+  SessionReader(const SessionFormat& format, const SessionChoice& choice)
+      : format_(format),
+        choice_(choice),
+        no_time_("no time like `" + (format.time.empty() ? "1709535660" : format.time) + "`"),
+        other_length_("not from " + decimal(choice.shortest) + " to " + decimal(choice.longest) + " min long") {}
+
+  /// Puts the length of a row's session into `minutes`, or says why it cannot.
+  RowFault read(const RawTable& row, double& minutes) {
+    if (!row.whole()) {
+      return row.fault();
+    }
+    if (format_.charger && row.text(*format_.charger).find(choice_.model) == std::string_view::npos) {
+      return {"another model of charger", row.text(*format_.charger), false};
+    }
+    const auto start = time(row, format_.start);
+    const auto end = start ? time(row, format_.end) : std::nullopt;
+    if (!end) {
+      const bool told = text_.find_first_not_of(' ') != std::string::npos;
+      return {told ? std::string_view(no_time_) : "no start or no end", text_, told};
+    }
+    minutes = static_cast<double>(*end - *start) / 60.0;
+    if (minutes < choice_.shortest || minutes > choice_.longest) {
+      text_ = decimal(minutes) + " min";
+      return {other_length_, text_, false};
+    }
+    return {};
+  }
+
+ private:
+  std::optional<long long> time(const RawTable& row, const std::vector<std::size_t>& columns) {
+    text_.clear();
+    for (const std::size_t column : columns) {
+      text_.append(column == columns.front() ? "" : " ").append(row.text(column));
+    }
+    if (!format_.time.empty()) {
+      return time_like(format_.time, text_);
+    }
+    const auto seconds = parse_integer(text_);
+    return seconds && *seconds >= 0 && *seconds <= kLastSecond ? seconds : std::nullopt;
+  }
+
+  const SessionFormat& format_;
+  const SessionChoice& choice_;
+  std::string no_time_;
+  std::string other_length_;
+  std::string text_;
 };
 
-/// Nothing if the table is not one of sessions.
-std::optional<Columns> find_columns(const std::vector<std::string>& header) {
-  Columns columns;
-  columns.count = header.size();
-  const std::vector<std::pair<std::string, std::size_t*>> wanted{{"Start Date", &columns.start_date},
-                                                                 {"Start Time", &columns.start_time},
-                                                                 {"End Date", &columns.end_date},
-                                                                 {"End Time", &columns.end_time},
-                                                                 {"Model", &columns.model}};
-  for (const auto& [name, column] : wanted) {
-    const auto found = std::find(header.begin(), header.end(), name);
-    if (found == header.end()) {
-      return std::nullopt;
+void read_table(const std::filesystem::path& file, const SessionFormat& format, SessionReader& reader, Dropped& dropped,
+                std::vector<double>& minutes, long long& read) {
+  RawTable table(file, format.table);
+  RowTally tally(table, dropped);
+  for (; table.next(); ++read) {
+    double length = 0.0;
+    if (const RowFault fault = reader.read(table, length)) {
+      tally.drop(fault);
+    } else {
+      tally.keep();
+      minutes.push_back(length);
     }
-    *column = static_cast<std::size_t>(found - header.begin());
   }
-  return columns;
+  tally.finish();
 }
 
 }  // namespace
 
-SessionSample read_sessions(const std::filesystem::path& folder, const std::string& model, double shortest,
-                            double longest) {
+SessionSample read_sessions(const std::filesystem::path& folder, const SessionFormat& format,
+                            const SessionChoice& choice) {
+  SessionReader reader(format, choice);
   SessionSample sample;
-  std::string line;
-  for (const auto& file : csv_files(folder)) {
-    LineReader lines(file);
-    const auto columns = lines.next(line) ? find_columns(split_csv(line)) : std::nullopt;
-    while (columns && lines.next(line)) {
-      const auto fields = split_csv(line);
-      ++sample.read;
-      if (fields.size() != columns->count) {
-        ++sample.unfinished;
-        continue;
+  Dropped dropped;
+  long long read = 0;
+  std::vector<std::filesystem::path> others;
+  try {
+    const auto files = csv_files(folder);
+    for (const auto& file : files) {
+      if (has_columns(file, format.table) || (file == files.back() && others.size() + 1 == files.size())) {
+        read_table(file, format, reader, dropped, sample.minutes, read);
+      } else {
+        others.push_back(file);
       }
-      if (fields[columns->model].find(model) == std::string::npos) {
-        ++sample.other_model;
-        continue;
-      }
-      const auto start = parse_minute(fields[columns->start_date], fields[columns->start_time]);
-      const auto end = parse_minute(fields[columns->end_date], fields[columns->end_time]);
-      if (!start || !end) {
-        ++sample.unfinished;
-        continue;
-      }
-      const auto minutes = static_cast<double>(*end - *start);
-      if (minutes < shortest || minutes > longest) {
-        ++sample.out_of_range;
-        continue;
-      }
-      sample.minutes.push_back(minutes);
     }
-  }
-  if (sample.minutes.empty()) {
-    throw bad_input(folder.string(), 0, "has no session of a charger of model `" + model + "` and of allowed length");
+    if (sample.minutes.empty()) {
+      throw bad_input(folder.string(), 0,
+                      "has no session of a charger of model `" + choice.model + "` and of allowed length");
+    }
+  } catch (const Error& error) {
+    throw with_report(error, dropped.report());
   }
   std::sort(sample.minutes.begin(), sample.minutes.end());
+  std::ostringstream out;
+  out << "session rows read: " << read << "\n" << dropped.report();
+  if (!others.empty()) {
+    out << "  tables without these columns, not read: " << others.size() << " (first: " << others.front().string()
+        << ")\n";
+  }
+  out << "sessions used: " << sample.minutes.size() << ", median " << decimal(quantiles(sample.minutes, 3)[1])
+      << " min\n";
+  sample.report = out.str();
   return sample;
 }
 

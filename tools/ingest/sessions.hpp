@@ -1,25 +1,30 @@
 #pragma once
 
+#include "tools/ingest/session_format.hpp"
+
 #include <filesystem>
 #include <string>
 #include <vector>
 
 namespace evbal {
 
-/// Lengths of charging sessions, and how many rows were dropped and why.
-struct SessionSample {
-  std::vector<double> minutes;  ///< ascending
-  long long read = 0;           ///< rows
-  long long other_model = 0;    ///< rows of other chargers
-  long long unfinished = 0;     ///< without a readable start or end
-  long long out_of_range = 0;   ///< shorter or longer than asked for
+/// Which charging sessions are taken, whose lengths stand for those of a fleet.
+struct SessionChoice {
+  std::string model;      ///< word in the charger's model, if the table tells it
+  double shortest = 0.0;  ///< minutes
+  double longest = 0.0;   ///< minutes
 };
 
-/// Lengths of the charging sessions in every table of `folder` with a column `Model` that contains `model`, within
-/// [shortest, longest] minutes. Dates as dd/mm/yyyy, times as hh:mm, in columns `Start Date`, `Start Time`, `End Date`,
-/// `End Time`; tables without these columns are skipped. Throws Error{bad_input} if no session remains.
-SessionSample read_sessions(const std::filesystem::path& folder, const std::string& model, double shortest,
-                            double longest);
+/// Lengths of charging sessions.
+struct SessionSample {
+  std::vector<double> minutes;  ///< ascending
+  std::string report;           ///< what was read, dropped and why; one item a line
+};
+
+/// Lengths of the sessions in every table of `folder` that has the columns of `format`; others are told in the report.
+/// Throws Error{bad_input} with what was dropped, also if no session remains or no table has the columns.
+SessionSample read_sessions(const std::filesystem::path& folder, const SessionFormat& format,
+                            const SessionChoice& choice);
 
 /// Quantiles of an ascending sample at probabilities 0, 1/(n-1), ..., 1, linear between order statistics.
 std::vector<double> quantiles(const std::vector<double>& ascending, int n);

@@ -109,7 +109,7 @@ void read_trips_by_zone(std::string_view bytes) {
 
 void read_session_table(std::string_view bytes) {
   write("sessions/sessions.csv", bytes);
-  read_sessions(folder() / "sessions", "Rapid", 1.0, 100.0);
+  read_sessions(folder() / "sessions", dundee_session_format(), {"Rapid", 1.0, 100.0});
 }
 
 void read_pack_files(std::string_view bytes) {
