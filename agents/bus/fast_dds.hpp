@@ -10,33 +10,136 @@
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
 #include <fastdds/dds/topic/TopicDataType.hpp>
+#if __has_include(<fastdds/utils/IPLocator.hpp>)
+#define EVBAL_FAST_DDS_3
+#include <fastdds/rtps/transport/UDPv4TransportDescriptor.hpp>
+#include <fastdds/utils/IPLocator.hpp>
+#else
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastrtps/utils/IPLocator.h>
+#endif
 
 #include <cstdint>
 #include <functional>
 #include <string>
 
-/// Fast DDS 2 as the bus uses it. All that another version names otherwise stands in this file.
+/// Fast DDS as the bus uses it. All that its versions 2 (Debian 12) and 3 (Debian 13) name differently stands here.
 namespace evbal::fast_dds {
 
 namespace dds = eprosima::fastdds::dds;
-namespace rtps = eprosima::fastrtps::rtps;
 using eprosima::fastdds::rtps::UDPv4TransportDescriptor;
+
+#ifdef EVBAL_FAST_DDS_3
+
+namespace rtps = eprosima::fastdds::rtps;
+using dds::Duration_t;
+using ReturnCode = dds::ReturnCode_t;
+constexpr ReturnCode return_ok = dds::RETCODE_OK;
+
+inline void set_heartbeat_period(dds::DataWriterQos& qos, const Duration_t& period) {
+  qos.reliable_writer_qos().times.heartbeat_period = period;
+}
+inline void set_nack_response_delay(dds::DataWriterQos& qos, const Duration_t& delay) {
+  qos.reliable_writer_qos().times.nack_response_delay = delay;
+}
+inline void set_heartbeat_response_delay(dds::DataReaderQos& qos, const Duration_t& delay) {
+  qos.reliable_reader_qos().times.heartbeat_response_delay = delay;
+}
+
+#else
+
+namespace rtps = eprosima::fastrtps::rtps;
 using eprosima::fastrtps::Duration_t;
+using ReturnCode = eprosima::fastrtps::types::ReturnCode_t;
+constexpr auto return_ok = ReturnCode::RETCODE_OK;
+
+inline void set_heartbeat_period(dds::DataWriterQos& qos, const Duration_t& period) {
+  qos.reliable_writer_qos().times.heartbeatPeriod = period;
+}
+inline void set_nack_response_delay(dds::DataWriterQos& qos, const Duration_t& delay) {
+  qos.reliable_writer_qos().times.nackResponseDelay = delay;
+}
+inline void set_heartbeat_response_delay(dds::DataReaderQos& qos, const Duration_t& delay) {
+  qos.reliable_reader_qos().times.heartbeatResponseDelay = delay;
+}
+
+#endif
+
 using rtps::IPLocator;
 
-inline bool succeeded(const eprosima::fastrtps::types::ReturnCode_t& code) {
-  return code == eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK;
+inline bool succeeded(const ReturnCode& code) {
+  return code == return_ok;
 }
+/// What version 2 returns where version 3 has a code.
+inline bool succeeded(bool done) {
+  return done;
+}
+
+/// How a sample becomes bytes, and bytes a sample.
+template <class Message>
+struct SampleBytes {
+  static bool write(const void* data, rtps::SerializedPayload_t& payload) {
+    const auto& sample = *static_cast<const Sample<Message>*>(data);
+    const std::size_t size = cdr_size(sample);
+    if (size > payload.max_size) {
+      return false;
+    }
+    write_cdr(sample, reinterpret_cast<char*>(payload.data));
+    payload.encapsulation = CDR_LE;
+    payload.length = static_cast<std::uint32_t>(size);
+    return true;
+  }
+
+  static bool read(const rtps::SerializedPayload_t& payload, void* data) {
+    *static_cast<Sample<Message>*>(data) =
+        read_cdr<Message>({reinterpret_cast<const char*>(payload.data), payload.length});
+    return true;
+  }
+
+  static std::uint32_t size(const void* data) {
+    return static_cast<std::uint32_t>(cdr_size(*static_cast<const Sample<Message>*>(data)));
+  }
+};
 
 /// Samples of a Message for Fast DDS. Bytes that are no message give a sample that says so: a reader of garbage must
 /// neither end nor ask for memory that no message needs.
-template <class Message>
+template <class Message, class Bytes = SampleBytes<Message>>
 class MessageType : public dds::TopicDataType {
  public:
   /// Bytes with which Fast DDS begins; it takes more for what is longer.
   static constexpr std::uint32_t first_reserved = 1024;
+
+#ifdef EVBAL_FAST_DDS_3
+
+  explicit MessageType(const std::string& name) {
+    set_name(name);
+    max_serialized_type_size = first_reserved;
+    is_compute_key_provided = false;
+  }
+
+  bool serialize(const void* data, rtps::SerializedPayload_t& payload, dds::DataRepresentationId_t /*xcdr*/) override {
+    return Bytes::write(data, payload);
+  }
+  bool deserialize(rtps::SerializedPayload_t& payload, void* data) override {
+    return Bytes::read(payload, data);
+  }
+  std::uint32_t calculate_serialized_size(const void* data, dds::DataRepresentationId_t /*xcdr*/) override {
+    return Bytes::size(data);
+  }
+  void* create_data() override {
+    return new Sample<Message>;
+  }
+  void delete_data(void* data) override {
+    delete static_cast<Sample<Message>*>(data);
+  }
+  bool compute_key(rtps::SerializedPayload_t& /*payload*/, rtps::InstanceHandle_t& /*key*/, bool /*md5*/) override {
+    return false;
+  }
+  bool compute_key(const void* /*data*/, rtps::InstanceHandle_t& /*key*/, bool /*md5*/) override {
+    return false;
+  }
+
+#else
 
   explicit MessageType(const std::string& name) {
     setName(name.c_str());
@@ -45,30 +148,25 @@ class MessageType : public dds::TopicDataType {
   }
 
   bool serialize(void* data, rtps::SerializedPayload_t* payload) override {
-    const auto& sample = *static_cast<Sample<Message>*>(data);
-    const std::size_t size = cdr_size(sample);
-    if (size > payload->max_size) {
-      return false;
-    }
-    write_cdr(sample, reinterpret_cast<char*>(payload->data));
-    payload->encapsulation = CDR_LE;
-    payload->length = static_cast<std::uint32_t>(size);
-    return true;
+    return Bytes::write(data, *payload);
   }
-
   bool deserialize(rtps::SerializedPayload_t* payload, void* data) override {
-    *static_cast<Sample<Message>*>(data) =
-        read_cdr<Message>({reinterpret_cast<const char*>(payload->data), payload->length});
-    return true;
+    return Bytes::read(*payload, data);
   }
-
   std::function<std::uint32_t()> getSerializedSizeProvider(void* data) override {
-    return [data] { return static_cast<std::uint32_t>(cdr_size(*static_cast<Sample<Message>*>(data))); };
+    return [data] { return Bytes::size(data); };
+  }
+  void* createData() override {
+    return new Sample<Message>;
+  }
+  void deleteData(void* data) override {
+    delete static_cast<Sample<Message>*>(data);
+  }
+  bool getKey(void* /*data*/, rtps::InstanceHandle_t* /*key*/, bool /*md5*/) override {
+    return false;
   }
 
-  void* createData() override { return new Sample<Message>; }
-  void deleteData(void* data) override { delete static_cast<Sample<Message>*>(data); }
-  bool getKey(void* /*data*/, rtps::InstanceHandle_t* /*key*/, bool /*md5*/) override { return false; }
+#endif
 };
 
 }  // namespace evbal::fast_dds

@@ -157,10 +157,9 @@ Writer<Message>::Writer(Participant& participant) : run_(participant.address().r
   dds::DataWriterQos qos = entities.publisher->get_default_datawriter_qos();
   set_delivery(qos, Topic<Message>::latest, kept_samples);
   qos.publish_mode().kind = dds::ASYNCHRONOUS_PUBLISH_MODE;
-  auto& times = qos.reliable_writer_qos().times;
-  times.heartbeatPeriod = Duration_t(0, participant.address().apart ? heartbeat_ns_apart : heartbeat_ns);
+  set_heartbeat_period(qos, Duration_t(0, participant.address().apart ? heartbeat_ns_apart : heartbeat_ns));
   if (participant.address().apart) {
-    times.nackResponseDelay = Duration_t(0, answer_ns_apart);
+    set_nack_response_delay(qos, Duration_t(0, answer_ns_apart));
   }
   writer_ = made(entities.publisher->create_datawriter(entities.topic<Message>(), qos),
                  std::string("a writer of ") + Topic<Message>::name);
@@ -169,7 +168,7 @@ Writer<Message>::Writer(Participant& participant) : run_(participant.address().r
 template <class Message>
 void Writer<Message>::write(const Message& message) {
   Sample<Message> sample{run_, message};
-  if (!writer_->write(&sample)) {
+  if (!succeeded(writer_->write(&sample))) {
     throw run_failed(std::string("Fast DDS refused a sample of ") + Topic<Message>::name);
   }
 }
@@ -187,7 +186,7 @@ Reader<Message>::Reader(Participant& participant) : address_(participant.address
   dds::DataReaderQos qos = entities.subscriber->get_default_datareader_qos();
   set_delivery(qos, Topic<Message>::latest, kept_samples);
   if (address_.apart) {
-    qos.reliable_reader_qos().times.heartbeatResponseDelay = Duration_t(0, answer_ns_apart);
+    set_heartbeat_response_delay(qos, Duration_t(0, answer_ns_apart));
   }
   // Also of a topic of one writer: a stranger's samples would push out the writer's own.
   qos.history().kind = dds::KEEP_ALL_HISTORY_QOS;

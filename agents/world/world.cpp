@@ -82,10 +82,15 @@ DemandDay read_day(const YamlValue& value, const City& city) {
   return read_demand(city, date);
 }
 
-DayClock read_clock(const std::optional<YamlValue>& value, const City& city) {
+// The scenario's `clock`, or its city's where it has none: `city_value` is what names the city.
+DayClock read_clock(const std::optional<YamlValue>& value, const YamlValue& city_value, const City& city) {
   DayClock clock;
   clock.start = city.day_start;
   if (!value) {
+    if (const auto wrong = clock.validate(); !wrong.empty()) {
+      throw city_value.error("the days of " + city.name + " begin at " + time_of_day(clock, 0) + ", and " + wrong +
+                             ": give the scenario a `clock`");
+    }
     return clock;
   }
   YamlMap map(*value);
@@ -254,13 +259,14 @@ City find_city(const std::string& name) {
 
 World read_world(YamlMap& scenario) {
   World world;
-  world.city = read_pack(scenario.require("city"));
+  const YamlValue city = scenario.require("city");
+  world.city = read_pack(city);
   world.day = read_day(scenario.require("day"), world.city);
   world.seed = scenario.require("seed").seed();
   if (const auto demand = scenario.find("demand")) {
     world.demand = static_cast<DemandModel>(demand->one_of(demand_models));
   }
-  world.clock = read_clock(scenario.find("clock"), world.city);
+  world.clock = read_clock(scenario.find("clock"), city, world.city);
   if (const auto fleet = scenario.find("fleet")) {
     override_fleet(*fleet, world.city.fleet);
   }

@@ -97,7 +97,7 @@ double negative_binomial_at_most(double count, double mean, double variance) {
   const double size = mean * mean / (v - mean);
   double logarithm = size * std::log1p((mean - v) / v);  // of the probability of none
   double sum = 0.0;
-  for (double k = 0.0; k <= count; k += 1.0) {
+  for (int k = 0; k <= count; ++k) {
     sum += std::exp(logarithm);
     logarithm += std::log(next_ratio(k, mean, v));
   }

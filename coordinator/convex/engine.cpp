@@ -27,13 +27,14 @@ std::string unfit(const ConvexProgram& program) {
       return "norm " + std::to_string(n) + ": has a number that is not finite or too large";
     }
   }
+  const auto variable = [&](int index) { return program.name_of({index}).text(); };
   for (const CurveRow& curve : program.curves()) {
     const auto lowest = curve.function->around(program.lower()[static_cast<std::size_t>(curve.of)]);
     if (!is_fit(lowest.value) || !is_fit(lowest.slope) || !is_fit(lowest.curvature)) {
-      return "curve of variable " + std::to_string(curve.of) + ": not finite or too steep at its lower bound";
+      return "curve of " + variable(curve.of) + ": not finite or too steep at its lower bound";
     }
   }
-  return linear_part(program).unfit();
+  return linear_part(program).unfit(variable, [&](int row) { return program.name_of_row(row).text(); });
 }
 
 }  // namespace

@@ -5,9 +5,9 @@
 #include "coordinator/convex/ipopt_nlp.hpp"
 #include "coordinator/convex/linear_program.hpp"
 
-#include <coin/ClpSimplex.hpp>
-#include <coin/IpIpoptApplication.hpp>
-#include <coin/IpSolveStatistics.hpp>
+#include <ClpSimplex.hpp>
+#include <IpIpoptApplication.hpp>
+#include <IpSolveStatistics.hpp>
 
 #include <atomic>
 #include <string>

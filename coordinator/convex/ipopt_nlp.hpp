@@ -3,7 +3,7 @@
 #include "common/eigen.hpp"
 #include "coordinator/convex/convex_program.hpp"
 
-#include <coin/IpTNLP.hpp>
+#include <IpTNLP.hpp>
 
 #include <vector>
 

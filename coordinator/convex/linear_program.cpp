@@ -1,7 +1,7 @@
 #include "coordinator/convex/linear_program.hpp"
 
-#include <coin/ClpSimplex.hpp>
-#include <coin/CoinPackedMatrix.hpp>
+#include <ClpSimplex.hpp>
+#include <CoinPackedMatrix.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +27,7 @@ bool is_fit_as_high(double bound) {
   return bound == ConvexProgram::infinity || is_fit(bound);
 }
 
-std::string complaint(const std::string& what, double number) {
+std::string out_of_range(const std::string& what, double number) {
   std::ostringstream out;
   out << what << ": " << number << " is not in [" << -largest_number << ", " << largest_number << ']';
   return out.str();
@@ -35,9 +35,10 @@ std::string complaint(const std::string& what, double number) {
 
 // Names the first of `numbers` that is not fit, empty if all are.
 template <class IsFit>
-std::string first_unfit(const std::vector<double>& numbers, const std::string& what, const IsFit& is_fit_there) {
+std::string first_unfit(const std::vector<double>& numbers, const std::string& what, const LinearProgram::Names& name,
+                        const IsFit& is_fit_there) {
   const auto wrong = std::ranges::find_if_not(numbers, is_fit_there);
-  return wrong == numbers.end() ? "" : complaint(what + std::to_string(wrong - numbers.begin()), *wrong);
+  return wrong == numbers.end() ? "" : out_of_range(what + name(static_cast<int>(wrong - numbers.begin())), *wrong);
 }
 
 }  // namespace
@@ -72,25 +73,30 @@ void LinearProgram::end_row(double low, double high) {
   row_start_.push_back(static_cast<int>(entry_.size()));
 }
 
-std::string LinearProgram::unfit() const {
+std::string LinearProgram::unfit(const Names& column, const Names& row) const {
   if (!is_fit(constant_)) {
-    return complaint("constant", constant_);
+    return out_of_range("constant", constant_);
   }
   const auto entry = std::ranges::find_if_not(entry_, is_fit);
   if (entry != entry_.end()) {
-    const int column = entry_column_[static_cast<std::size_t>(entry - entry_.begin())];
-    return complaint("coefficient of variable " + std::to_string(column), *entry);
+    return out_of_range("coefficient of " + column(entry_column_[static_cast<std::size_t>(entry - entry_.begin())]),
+                        *entry);
   }
   for (const std::string& why_not :
-       {first_unfit(cost_, "cost of variable ", is_fit), first_unfit(lower_, "lower bound of variable ", is_fit_as_low),
-        first_unfit(upper_, "upper bound of variable ", is_fit_as_high),
-        first_unfit(row_low_, "lower side of row ", is_fit_as_low),
-        first_unfit(row_high_, "upper side of row ", is_fit_as_high)}) {
+       {first_unfit(cost_, "cost of ", column, is_fit), first_unfit(lower_, "lower bound of ", column, is_fit_as_low),
+        first_unfit(upper_, "upper bound of ", column, is_fit_as_high),
+        first_unfit(row_low_, "lower side of ", row, is_fit_as_low),
+        first_unfit(row_high_, "upper side of ", row, is_fit_as_high)}) {
     if (!why_not.empty()) {
       return why_not;
     }
   }
   return "";
+}
+
+std::string LinearProgram::unfit() const {
+  return unfit([](int column) { return "variable " + std::to_string(column); },
+               [](int row) { return "row " + std::to_string(row); });
 }
 
 std::shared_ptr<ClpSimplex> LinearProgram::load() const {

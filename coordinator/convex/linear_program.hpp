@@ -2,6 +2,7 @@
 
 #include "coordinator/convex/convex_program.hpp"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -38,9 +39,14 @@ class LinearProgram {
   /// Number of rows.
   int rows() const { return static_cast<int>(row_low_.size()); }
 
+  /// Names of columns or rows for messages, by index.
+  using Names = std::function<std::string(int)>;
+
   /// Why Clp may not be given this program: names the first number that is not finite or beyond `largest_number`, on
   /// which Clp ends the process; empty if there is none. Bounds and sides of rows may be infinite where they bind
   /// nothing.
+  std::string unfit(const Names& column, const Names& row) const;
+  /// The same, with columns and rows by their number.
   std::string unfit() const;
 
   /// This program in Clp, not solved yet; it is fit.

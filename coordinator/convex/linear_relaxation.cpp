@@ -2,7 +2,7 @@
 
 #include "common/contract.hpp"
 
-#include <coin/ClpSimplex.hpp>
+#include <ClpSimplex.hpp>
 
 #include <algorithm>
 

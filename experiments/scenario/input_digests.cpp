@@ -27,7 +27,7 @@ std::string pack_digest(const fs::path& folder) {
   }
   std::string text;
   for (const auto& [name, digest] : digests) {
-    text += name + " " + digest + "\n";
+    text.append(name).append(" ").append(digest).append("\n");
   }
   return text_digest(text);
 }

@@ -3,11 +3,10 @@
 #include "agents/bus/cdr.hpp"
 #include "agents/bus/hello.hpp"
 #include "agents/protocol/words.hpp"
+#include "tests/bus/idl/generated_types.hpp"
 #include "tests/support/random_message.hpp"
 #include "tests/support/source_folder.hpp"
 
-#include <evbalPubSubTypes.h>
-#include <fastdds/rtps/common/SerializedPayload.h>
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
@@ -22,24 +21,22 @@
 namespace evbal {
 namespace {
 
-using eprosima::fastrtps::rtps::SerializedPayload_t;
-
 /// The bytes of a message as the bus writes them are read by the type that Fast DDS's generator made of the IDL, and
 /// are what it writes then.
 template <class Type, class Message>
 void same_bytes() {
   const Sample<Message> sample{"a run", test::any_message<Message>()};
   const auto size = static_cast<std::uint32_t>(cdr_size(sample));
-  SerializedPayload_t ours(size);
+  test::Payload ours(size);
   write_cdr(sample, reinterpret_cast<char*>(ours.data));
   ours.length = size;
   Type type;
   typename Type::type generated;
-  RC_ASSERT(type.deserialize(&ours, &generated));
-  RC_ASSERT(type.getSerializedSizeProvider(&generated)() == size);
-  SerializedPayload_t theirs(size);
+  RC_ASSERT(test::read(type, ours, generated));
+  RC_ASSERT(test::size_of(type, generated) == size);
+  test::Payload theirs(size);
   std::memset(theirs.data, 0, size);  // it leaves what is between numbers as it is
-  RC_ASSERT(type.serialize(&generated, &theirs));
+  RC_ASSERT(test::write(type, generated, theirs));
   RC_ASSERT(theirs.length == size);
   RC_ASSERT(std::memcmp(ours.data, theirs.data, size) == 0);
 }

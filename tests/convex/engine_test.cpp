@@ -58,18 +58,18 @@ ConvexProgram least_of(std::function<ConvexFunction::Expansion(double)> curve) {
 ConvexProgram linear(double price, double coefficient, double side, double constant = 0.0) {
   ConvexProgram program;
   const auto x = program.add_variable("x");
-  program.add(coefficient * x >= side);
+  program.add(coefficient * x >= side, "enough");
   program.minimise("cost", price * x + constant);
   return program;
 }
 
 TEST_P(EachEngine, RefusesNumbersThatNoSolverTakes) {
   for (const double wrong : {1e25, -1e25, 1e100, 1e300}) {
-    EXPECT_TRUE(why_not(linear(wrong, 1.0, 1.0)).starts_with("cost of variable 0")) << wrong;
-    EXPECT_TRUE(why_not(linear(1.0, wrong, 1.0)).starts_with("coefficient of variable 0")) << wrong;
+    EXPECT_TRUE(why_not(linear(wrong, 1.0, 1.0)).starts_with("cost of x")) << wrong;
+    EXPECT_TRUE(why_not(linear(1.0, wrong, 1.0)).starts_with("coefficient of x")) << wrong;
     EXPECT_TRUE(why_not(linear(1.0, 1.0, 1.0, wrong)).starts_with("constant")) << wrong;
   }
-  EXPECT_TRUE(why_not(linear(1.0, 1.0, 1e100)).starts_with("upper side of row 0"));
+  EXPECT_TRUE(why_not(linear(1.0, 1.0, 1e100)).starts_with("upper side of enough"));
   for (const double none : {std::nan(""), std::numeric_limits<double>::infinity()}) {
     EXPECT_NE(why_not(linear(none, 1.0, 1.0)), "");
     EXPECT_NE(why_not(linear(1.0, none, 1.0)), "");
@@ -103,7 +103,7 @@ TEST_P(EachEngine, RefusesACurveThatIsInfinite) {
   EXPECT_NE(why_not(least_of([&](double) { return ConvexFunction::Expansion{infinity, -infinity, infinity}; })), "");
   ConvexProgram program;
   program.minimise_curve("cost", 1.0, program.add_variable("x"), inverse_power(1e-200, 2.0), "z");
-  EXPECT_TRUE(why_not(program).starts_with("curve of variable 0"));
+  EXPECT_TRUE(why_not(program).starts_with("curve of x"));
 }
 
 // Finite where the first tangents touch, and infinite where they meet.

@@ -2,7 +2,7 @@
 
 #include "faults/schedule/schedule.hpp"
 
-#include <cassert>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -15,7 +15,9 @@ inline FaultContext small_context() {
 
 inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
   const auto at = text.find(from);
-  assert(at != std::string::npos);
+  if (at == std::string::npos) {
+    throw std::logic_error("`" + from + "` is not in " + text);
+  }
   return text.replace(at, from.size(), to);
 }
 

@@ -103,11 +103,16 @@ struct Reserved {
 // Third-party names that stay in one place.
 const std::vector<Reserved>& reserved() {
   static const std::vector<Reserved> table = {
-      {"fastdds/", {"agents/bus"}},        {"fastrtps/", {"agents/bus"}},
-      {"fastcdr/", {"agents/bus"}},        {"IpTNLP", {"coordinator/convex"}},
-      {"IpIpopt", {"coordinator/convex"}}, {"coin/", {"coordinator/convex", "tools/verify"}},
-      {"yaml-cpp/", {"common"}},           {"Random123/", {"common"}},
-      {"nlopt", {"coordinator/forecast"}}, {"SQLiteCpp/", {"experiments/record", "experiments/study/store"}},
+      {"fastdds/", {"agents/bus"}},
+      {"fastrtps/", {"agents/bus"}},
+      {"fastcdr/", {"agents/bus"}},
+      {"Ip", {"coordinator/convex"}},
+      {"Clp", {"coordinator/convex", "tools/verify"}},
+      {"Coin", {"coordinator/convex"}},
+      {"yaml-cpp/", {"common"}},
+      {"Random123/", {"common"}},
+      {"nlopt", {"coordinator/forecast"}},
+      {"SQLiteCpp/", {"experiments/record", "experiments/study/store"}},
   };
   return table;
 }

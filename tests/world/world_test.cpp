@@ -1,5 +1,7 @@
 #include "agents/world/world.hpp"
 
+#include "agents/world/synthetic.hpp"
+#include "tests/folder.hpp"
 #include "tests/support/yaml_of.hpp"
 
 #include <gtest/gtest.h>
@@ -95,6 +97,26 @@ TEST(World, RefusesWhatDoesNotFit) {
   expect_refused("stations:\n  - {name: a, region: nowhere, points: 2}\n", "a.yaml:5", "not known");
   expect_refused("stations:\n  - {name: a, region: 1, points: 2}\n  - {name: a, region: 2, points: 2}\n", "a.yaml:6",
                  "twice");
+}
+
+// The clock that a scenario does not give must fit the city as one that it gives.
+TEST(World, RefusesACityWhoseDayHasNoWholeSteps) {
+  const Folder folder;
+  SyntheticCity made = synthetic_city({.regions = 2, .train_days = 0, .test_days = 1});
+  made.city.day_start += 10;
+  made.city.step_minutes = 10;
+  made.days.front().steps.resize(static_cast<std::size_t>((24 * 60 - made.city.day_start) / 10));
+  write_city(made.city, made.days, folder.path() / "pack");
+  const std::string scenario =
+      "city: " + (folder.path() / "pack").string() + "\nday: \"" + made.days.front().date + "\"\nseed: 7\n";
+  try {
+    read(scenario);
+    FAIL() << "was accepted";
+  } catch (const Error& error) {
+    EXPECT_TRUE(std::string(error.what()).starts_with("a.yaml:1: ")) << error.what();
+    EXPECT_NE(std::string(error.what()).find("step must divide"), std::string::npos) << error.what();
+  }
+  EXPECT_EQ(read(scenario + "clock: {start: \"05:30\"}\n").clock.minutes(), 1110);
 }
 
 TEST(World, RefusesUnknownCitiesAndDays) {

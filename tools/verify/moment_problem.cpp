@@ -3,7 +3,7 @@
 #include "common/contract.hpp"
 #include "common/error.hpp"
 
-#include <coin/ClpSimplex.hpp>
+#include <ClpSimplex.hpp>
 
 #include <algorithm>
 #include <array>

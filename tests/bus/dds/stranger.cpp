@@ -29,28 +29,25 @@ using fast_dds::MessageType;
 
 constexpr int ticks_of_a_day = 300;
 
-/// Writes any bytes under the name of a type.
+/// Any bytes in place of a sample's.
 template <class Message>
-class Noise : public MessageType<Message> {
- public:
-  using MessageType<Message>::MessageType;
-
-  bool serialize(void* /*data*/, rtps::SerializedPayload_t* payload) override {
-    payload->length = static_cast<std::uint32_t>(random_.below(payload->max_size + 1));
-    std::generate_n(payload->data, payload->length, [&] { return static_cast<unsigned char>(random_.below(256)); });
-    if (random_.below(2) == 0 && payload->length >= 4) {
-      std::copy_n("\0\1\0\0", 4, payload->data);  // the beginning of a message, at least
+struct NoiseBytes : fast_dds::SampleBytes<Message> {
+  static bool write(const void* /*data*/, rtps::SerializedPayload_t& payload) {
+    static RandomStream random{1, Purpose::fault, {}};
+    payload.length = static_cast<std::uint32_t>(random.below(payload.max_size + 1));
+    std::generate_n(payload.data, payload.length, [&] { return static_cast<unsigned char>(random.below(256)); });
+    if (random.below(2) == 0 && payload.length >= 4) {
+      std::copy_n("\0\1\0\0", 4, payload.data);  // the beginning of a message, at least
     }
     return true;
   }
 
-  std::function<std::uint32_t()> getSerializedSizeProvider(void* /*data*/) override {
-    return [] { return 200; };
-  }
-
- private:
-  RandomStream random_{1, Purpose::fault, {}};
+  static std::uint32_t size(const void* /*data*/) { return 200; }
 };
+
+/// Writes any bytes under the name of a type.
+template <class Message>
+using Noise = MessageType<Message, NoiseBytes<Message>>;
 
 class Stranger {
  public:
