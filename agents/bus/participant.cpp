@@ -1,6 +1,7 @@
 #include "agents/bus/participant.hpp"
 
 #include "agents/bus/fast_dds.hpp"
+#include "agents/bus/surroundings.hpp"
 #include "agents/bus/topics.hpp"
 #include "common/error.hpp"
 
@@ -135,7 +136,11 @@ struct Participant::Entities {
 
 Participant::Participant(const BusAddress& address, const std::string& name)
     : address_(address), entities_(std::make_unique<Entities>()) {
+  ignore_surroundings();
   auto* factory = dds::DomainParticipantFactory::get_instance();
+  if (!address.profiles.empty() && !succeeded(factory->load_XML_profiles_file(address.profiles))) {
+    throw bad_input(address.profiles, 0, "Fast DDS finds no profiles there; give an XML file of its own format");
+  }
   factory->load_profiles();
   dds::DomainParticipantQos qos = factory->get_default_participant_qos();
   qos.name(name.c_str());

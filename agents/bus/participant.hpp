@@ -4,6 +4,7 @@
 #include "agents/protocol/messages.hpp"
 
 #include <chrono>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <string>
@@ -27,20 +28,21 @@ struct BusAddress {
   std::string run;  ///< id in every message; samples of other runs are dropped
   /// DDS domain of the run.
   int domain = 0;
-  int participant = 0;   ///< number of this process in the domain
-  int participants = 0;  ///< of the whole run
-  bool apart = false;    ///< each agent on a host of its own, behind a network that may lose packets
+  int participant = 0;               ///< number of this process in the domain
+  int participants = 0;              ///< of the whole run
+  bool apart = false;                ///< each agent on a host of its own, behind a network that may lose packets
+  std::filesystem::path profiles{};  ///< XML file of Fast DDS whose defaults hold where evbal sets nothing; or empty
 };
 
 /// IPv4 address of a host of such a network: 0 is that of all but the agents, then one for each agent.
 std::string address_of_host(int host);
 
-/// One process on the bus: UDPv4, on loopback unless agents are apart, no shared memory, and whatever
-/// FASTRTPS_DEFAULT_PROFILES_FILE adds. Agents look for the conductor and the coordinator alone, so that discovery
-/// stays linear in their number. All calls from one thread.
+/// One process on the bus: UDPv4, on loopback unless agents are apart, no shared memory, and nothing of the
+/// surroundings (surroundings.hpp) but the profiles that the address names. Agents look for the conductor and the
+/// coordinator alone, so that discovery stays linear in their number. All calls from one thread.
 class Participant {
  public:
-  /// Throws Error{run_failed} if the middleware refuses.
+  /// Throws Error{run_failed} if the middleware refuses, Error{bad_input} if it cannot read the profiles.
   Participant(const BusAddress& address, const std::string& name);
   ~Participant();
   Participant(const Participant&) = delete;

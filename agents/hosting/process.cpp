@@ -43,6 +43,7 @@ void add_options(CLI::App& app, ProcessOptions& options) {
   app.add_option("--participant", options.address.participant, "This process's number in the domain")->required();
   app.add_option("--participants", options.address.participants, "Processes of the run")->required();
   app.add_flag("--apart", options.address.apart, "Each agent is on a host of its own");
+  app.add_option("--dds-profiles", options.address.profiles, "XML file of Fast DDS that the run asks for");
   app.add_option("--scenario", options.scenario, "The run's scenario.resolved.yaml")->required();
   app.add_option("--journal", options.journal, "What the process must know if it is started again")->required();
   app.add_option_function<int>(
@@ -68,6 +69,9 @@ std::vector<std::string> arguments(const ProcessOptions& options) {
                                     "--last-region",  std::to_string(options.last_region)};
   if (options.address.apart) {
     words.emplace_back("--apart");
+  }
+  if (!options.address.profiles.empty()) {
+    words.insert(words.end(), {"--dds-profiles", options.address.profiles.string()});
   }
   return words;
 }

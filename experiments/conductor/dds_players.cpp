@@ -1,5 +1,6 @@
 #include "experiments/conductor/dds_players.hpp"
 
+#include "agents/bus/surroundings.hpp"
 #include "agents/hosting/process.hpp"
 #include "common/error.hpp"
 #include "common/interrupt.hpp"
@@ -133,6 +134,7 @@ struct DdsPlayers::Topics {
 DdsPlayers::DdsPlayers(const DdsRun& run)
     : run_(run), domain_(participants(run)), journals_(run.folder / "journals"), supervisor_(run.folder / "processes") {
   const auto begin = Clock::now();
+  ignore_surroundings();
   if (run_.network) {
     network_.emplace(*run_.network, agents(run_), run_.seed);
   }
@@ -140,7 +142,8 @@ DdsPlayers::DdsPlayers(const DdsRun& run)
                      .domain = domain_.domain(),
                      .participant = BusAddress::conductor,
                      .participants = participants(run),
-                     .apart = run.network.has_value()};
+                     .apart = run.network.has_value(),
+                     .profiles = run.profiles};
   start_processes(address);
   participant_.emplace(address, "conductor");
   topics_ = std::make_unique<Topics>(*participant_);

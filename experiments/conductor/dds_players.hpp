@@ -30,6 +30,7 @@ struct DdsRun {
   std::chrono::seconds patience{120};             ///< longest wait for anything, the processes' start included
   std::optional<NetworkConditions> network{};     ///< between each agent and the others
   std::uint64_t seed = 0;                         ///< of what it loses
+  std::filesystem::path profiles{};               ///< as in BusAddress
 };
 
 /// A folder that is empty to begin with and goes with its owner.

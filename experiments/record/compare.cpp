@@ -64,8 +64,8 @@ Difference compare_csv(const fs::path& recorded, const fs::path& replayed, const
 
 /// Drops what depends on how the run was made, or on another run.
 void forget_circumstances(Json& summary) {
-  for (const char* key : {"processes", "network", "step_seconds", "wall_seconds", "without_faults", "program",
-                          "pack_digest", "model_digest"}) {
+  for (const char* key : {"processes", "network", "dds_profiles", "step_seconds", "wall_seconds", "without_faults",
+                          "program", "pack_digest", "model_digest"}) {
     summary.erase(key);
   }
   if (summary.contains("solver") && summary["solver"].is_object()) {

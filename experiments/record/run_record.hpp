@@ -26,6 +26,7 @@ struct RunHeader {
   std::string engine;                          ///< its name
   std::string transport;                       ///< "dds" or "inproc"
   std::optional<NetworkConditions> network{};  ///< of a network that loses packets
+  std::filesystem::path dds_profiles{};        ///< file of settings of Fast DDS; empty: none
   MetricsFrame frame;                          ///< what the metrics need
   std::vector<std::string> region_names;       ///< by region
   std::vector<RequestedFault> faults;          ///< in the order of the schedule

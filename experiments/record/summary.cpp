@@ -153,6 +153,9 @@ std::string summary_json(const RunHeader& header, const DayMetrics& day, const s
   if (header.network) {
     json["network"] = network_json(*header.network, ticks, tick_seconds);
   }
+  if (!header.dds_profiles.empty()) {
+    json["dds_profiles"] = header.dds_profiles.string();
+  }
   return json.dump(2) + "\n";
 }
 

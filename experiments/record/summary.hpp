@@ -22,8 +22,9 @@ namespace evbal {
 ///     wall_seconds
 ///     network      loss, delay_ms, deterministic_in_time, exchange_seconds (of a tick, without the solver); only
 ///                  if the scenario has the key
+///     dds_profiles file of settings of Fast DDS, only if the scenario has the key
 ///
-/// `program`, `transport`, `processes`, `network` and what is measured in seconds depend on how the day was run,
+/// `program`, `transport`, `processes`, `network`, `dds_profiles` and what is measured in seconds depend on how the day was run,
 /// nothing else does.
 std::string summary_json(const RunHeader& header, const DayMetrics& day, const std::string& digest,
                          std::span<const TickRecord> ticks, std::span<const double> tick_seconds, double wall_seconds);

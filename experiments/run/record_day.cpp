@@ -51,7 +51,8 @@ std::unique_ptr<Players> players_of(const Scenario& scenario, const std::filesys
                                                .regions_per_process = scenario.regions_per_process,
                                                .coordinator = startable(scenario.planning.coordinator),
                                                .network = scenario.network,
-                                               .seed = scenario.world.seed});
+                                               .seed = scenario.world.seed,
+                                               .profiles = scenario.dds_profiles});
   }
   return std::make_unique<InprocPlayers>(
       scenario.world,
@@ -81,6 +82,7 @@ RunHeader header_of(const Scenario& scenario, const std::string& resolved) {
   header.engine = scenario.planning.engine.name;
   header.transport = scenario.transport;
   header.network = scenario.network;
+  header.dds_profiles = scenario.dds_profiles;
   header.frame = frame_of(scenario);
   for (const auto& region : world.city.regions) {
     header.region_names.push_back(region.name);
@@ -135,6 +137,7 @@ Scenario without_faults(Scenario scenario) {
   scenario.expect.clear();
   scenario.transport = own_transport(scenario);
   scenario.network.reset();
+  scenario.dds_profiles.clear();
   return scenario;
 }
 

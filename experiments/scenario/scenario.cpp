@@ -97,7 +97,23 @@ void apply(const Overrides& overrides, Scenario& scenario) {
     }
     scenario.regions_per_process = *overrides.regions_per_process;
   }
+  if (overrides.dds_profiles) {
+    scenario.dds_profiles = std::filesystem::absolute(*overrides.dds_profiles);
+  }
   scenario.world.seed = overrides.seed.value_or(scenario.world.seed);
+}
+
+/// What acts on the bus is given for a run over the bus only.
+void check_transport(const Scenario& scenario) {
+  const auto needs_bus = [&](bool given, const std::string& what) {
+    if (given && scenario.transport != "dds") {
+      throw bad_input(what + " on the bus; with transport `" + scenario.transport + "` there is none, choose `dds`");
+    }
+  };
+  needs_bus(!scenario.planning.coordinator.empty(),
+            "coordinator `" + shown(scenario.planning.coordinator) + "`: takes part");
+  needs_bus(scenario.network.has_value(), "network: acts");
+  needs_bus(!scenario.dds_profiles.empty(), "dds_profiles: act");
 }
 
 /// The name that the file gives, else the file's own.
@@ -139,6 +155,9 @@ Scenario read_scenario(const YamlValue& yaml, const Overrides& overrides) {
   if (const auto network = map.find("network")) {
     scenario.network = read_network(*network);
   }
+  if (const auto profiles = map.find("dds_profiles")) {
+    scenario.dds_profiles = std::filesystem::absolute(profiles->file()).parent_path() / profiles->text();
+  }
   if (const auto expect = map.find("expect")) {
     scenario.expect = read_expect(*expect);
   }
@@ -146,15 +165,7 @@ Scenario read_scenario(const YamlValue& yaml, const Overrides& overrides) {
   scenario.schedule = scenario.draws.front();
   map.finish();
   apply(overrides, scenario);
-  if (!scenario.planning.coordinator.empty() && scenario.transport != "dds") {
-    throw bad_input("coordinator `" + shown(scenario.planning.coordinator) +
-                    "`: takes part over the bus; with transport `" + scenario.transport +
-                    "` there is none, choose `dds`");
-  }
-  if (scenario.network && scenario.transport != "dds") {
-    throw bad_input("network: acts on the bus; with transport `" + scenario.transport +
-                    "` there is none, choose `dds`");
-  }
+  check_transport(scenario);
   scenario.planning.controller = scenario.controllers.front();
   return scenario;
 }
@@ -170,6 +181,9 @@ std::string resolved_yaml(const Scenario& scenario, const std::string& controlle
   if (scenario.network) {
     yaml.key("network");
     write_network(yaml, *scenario.network);
+  }
+  if (!scenario.dds_profiles.empty()) {
+    yaml.key("dds_profiles").text(scenario.dds_profiles.string());
   }
   yaml.key("faults").begin_map();
   write_schedule(yaml, scenario.schedule, scenario.world.clock);

@@ -27,20 +27,22 @@ struct Scenario {
   std::string transport;        ///< "dds" or "inproc"
   int regions_per_process = 1;  ///< regions that one evbal-agent hosts
   std::optional<NetworkConditions> network{};  ///< on the bus, below DDS
+  std::filesystem::path dds_profiles{};        ///< XML file of Fast DDS for the bus; empty: none
   std::vector<Expect> expect;                  ///< what shall hold of the result
 };
 
 /// What the command line says in place of the scenario.
 struct Overrides {
-  std::optional<std::string> controller{};        ///< in place of `controllers`
-  std::optional<Command> coordinator{};           ///< in place of `coordinator`
-  std::optional<std::string> day{};               ///< in place of `day`
-  std::optional<std::uint64_t> seed{};            ///< in place of `seed`
-  std::optional<std::filesystem::path> faults{};  ///< a schedule file, or the name of one that is
-                                                  ///< shipped; its `expect` adds to the scenario's
-  std::optional<std::string> transport{};         ///< in place of `transport`
-  std::optional<int> regions_per_process{};       ///< in place of `regions_per_process`
-  std::optional<std::string> engine{};            ///< in place of `engine`
+  std::optional<std::string> controller{};              ///< in place of `controllers`
+  std::optional<Command> coordinator{};                 ///< in place of `coordinator`
+  std::optional<std::string> day{};                     ///< in place of `day`
+  std::optional<std::uint64_t> seed{};                  ///< in place of `seed`
+  std::optional<std::filesystem::path> faults{};        ///< a schedule file, or the name of one that is
+                                                        ///< shipped; its `expect` adds to the scenario's
+  std::optional<std::string> transport{};               ///< in place of `transport`
+  std::optional<int> regions_per_process{};             ///< in place of `regions_per_process`
+  std::optional<std::string> engine{};                  ///< in place of `engine`
+  std::optional<std::filesystem::path> dds_profiles{};  ///< in place of `dds_profiles`
 };
 
 /// The scenario file that a command line names: a path, or the name of one that is shipped, such as toy.yaml.

@@ -131,6 +131,16 @@ TEST_F(ScenarioFile, CommandLineTakesThePlaceOfTheFile) {
   EXPECT_EQ(scenario.expect, (std::vector<Expect>{{"served", false, 10.0}, {"lost", true, 900.0}}));
 }
 
+TEST_F(ScenarioFile, ProfilesOfDdsLieBesideIt) {
+  const fs::path file = write(head + "dds_profiles: fast.xml\n");
+  const fs::path beside = fs::absolute(file).parent_path() / "fast.xml";
+  const Scenario scenario = read_scenario(file);
+  EXPECT_EQ(scenario.dds_profiles, beside);
+  EXPECT_EQ(read_scenario(write(resolved_yaml(scenario, "robust"))).dds_profiles, beside);
+  EXPECT_EQ(read_scenario(file, {.dds_profiles = "other.xml"}).dds_profiles, fs::absolute("other.xml"));
+  expect_refused([&] { read_scenario(file, {.transport = "inproc"}); }, "dds_profiles", "choose `dds`");
+}
+
 TEST_F(ScenarioFile, AnotherCoordinatorMayHaveOtherControllers) {
   const fs::path file = write(head + "controllers: [mine, yours]\n");
   expect_refused([&] { read_scenario(file); }, "a.yaml:5", "`mine` is not known");

@@ -195,6 +195,8 @@ void add_run_command(CLI::App& app) {
   command->add_option("--transport", arguments->overrides.transport, "dds: processes on a bus; inproc: one process");
   command->add_option("--regions-per-process", arguments->overrides.regions_per_process, "Regions that an agent hosts");
   command->add_option("--engine", arguments->overrides.engine, "Solver of the balancing problem");
+  command->add_option("--dds-profiles", arguments->overrides.dds_profiles,
+                      "Settings of Fast DDS for the bus (XML), of which none are taken from elsewhere");
   command->add_option("--out", arguments->out,
                       "Run directory, new, empty or of a run that broke off; otherwise one under runs/");
   command->add_flag("--quiet", arguments->quiet, "Print the run directories only");

@@ -52,10 +52,10 @@ class CommandLine {
                       more);
   }
 
-  Ended evbal(const std::string& arguments) const {
-    const std::string folder = path().string();
-    const int code =
-        std::system(("cd " + folder + " && " + EVBAL_PROGRAM + " " + arguments + " >out.txt 2>err.txt").c_str());
+  /// `environment`: variables for the call, as a shell has them before a command.
+  Ended evbal(const std::string& arguments, const std::string& environment = "") const {
+    const std::string command = environment + " " + EVBAL_PROGRAM + " " + arguments + " >out.txt 2>err.txt";
+    const int code = std::system(("cd " + path().string() + " && " + command).c_str());
     return {WEXITSTATUS(code), text_of(path() / "out.txt"), text_of(path() / "err.txt")};
   }
 
