@@ -1,6 +1,7 @@
 #include "agents/bus/participant.hpp"
 
 #include "agents/bus/fast_dds.hpp"
+#include "agents/bus/ports.hpp"
 #include "agents/bus/surroundings.hpp"
 #include "agents/bus/topics.hpp"
 #include "common/error.hpp"
@@ -85,6 +86,19 @@ void find_each_other(dds::DomainParticipantQos& qos, const BusAddress& address) 
   builtin.discovery_config.initial_announcements.period = Duration_t(0, 100'000'000);
 }
 
+/// Fast DDS takes another port in silence, where nobody looks for this participant, if it cannot have its own.
+void check_ports(const BusAddress& address) {
+  const int first = discovery_port(address.domain, address.participant);
+  for (const int port : {first, first + 1}) {
+    if (!has_port(port)) {
+      const std::string host = host_of(address, address.participant);
+      const std::string complaint = port_complaint(host, port);
+      throw run_failed("UDP port " + std::to_string(port) + " of " + host + " cannot be had: " +
+                       (complaint.empty() ? "Fast DDS has another, perhaps since it was in use" : complaint));
+    }
+  }
+}
+
 template <class Qos>
 void set_delivery(Qos& qos, bool latest, int depth) {
   qos.reliability().kind = dds::RELIABLE_RELIABILITY_QOS;
@@ -101,10 +115,6 @@ void set_delivery(Qos& qos, bool latest, int depth) {
 std::string address_of_host(int host) {
   constexpr int in_a_row = 250;
   return "10.77." + std::to_string(host / in_a_row) + "." + std::to_string(host % in_a_row + 1);
-}
-
-int discovery_port(int domain, int participant) {
-  return 7400 + 250 * domain + 10 + 2 * participant;
 }
 
 struct Participant::Entities {
@@ -150,6 +160,7 @@ Participant::Participant(const BusAddress& address, const std::string& name)
   entities_->participant =
       made(factory->create_participant(static_cast<std::uint32_t>(address.domain), qos),
            "participant " + std::to_string(address.participant) + " in domain " + std::to_string(address.domain));
+  check_ports(address);
   entities_->publisher = made(entities_->participant->create_publisher(dds::PUBLISHER_QOS_DEFAULT), "a publisher");
   entities_->subscriber = made(entities_->participant->create_subscriber(dds::SUBSCRIBER_QOS_DEFAULT), "a subscriber");
 }

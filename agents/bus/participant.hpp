@@ -42,7 +42,8 @@ std::string address_of_host(int host);
 /// coordinator alone, so that discovery stays linear in their number. All calls from one thread.
 class Participant {
  public:
-  /// Throws Error{run_failed} if the middleware refuses, Error{bad_input} if it cannot read the profiles.
+  /// Throws Error{run_failed} if the middleware refuses or cannot have the address's ports, Error{bad_input} if it
+  /// cannot read the profiles.
   Participant(const BusAddress& address, const std::string& name);
   ~Participant();
   Participant(const Participant&) = delete;
@@ -114,8 +115,5 @@ class Reader {
   eprosima::fastdds::dds::DataReader* reader_;
   std::map<std::string, int> refused_;
 };
-
-/// UDP port for discovery traffic of a participant (RTPS 2.2, section 9.6.1.1); the next one carries its data.
-int discovery_port(int domain, int participant);
 
 }  // namespace evbal

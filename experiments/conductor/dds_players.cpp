@@ -131,27 +131,46 @@ struct DdsPlayers::Topics {
   }
 };
 
-DdsPlayers::DdsPlayers(const DdsRun& run)
-    : run_(run), domain_(participants(run)), journals_(run.folder / "journals"), supervisor_(run.folder / "processes") {
+DdsPlayers::DdsPlayers(const DdsRun& run) : run_(run), journals_(run.folder / "journals") {
   const auto begin = Clock::now();
   ignore_surroundings();
   if (run_.network) {
     network_.emplace(*run_.network, agents(run_), run_.seed);
   }
-  BusAddress address{.run = new_run_id(),
-                     .domain = domain_.domain(),
-                     .participant = BusAddress::conductor,
-                     .participants = participants(run),
-                     .apart = run.network.has_value(),
-                     .profiles = run.profiles};
-  start_processes(address);
-  participant_.emplace(address, "conductor");
-  topics_ = std::make_unique<Topics>(*participant_);
-  await_hellos();
+  domain_.emplace(participants(run_));
+  while (!begins_in_domain()) {
+    domain_.emplace(participants(run_), domain_->domain() + 1);
+  }
   ready_seconds_ = std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
 DdsPlayers::~DdsPlayers() = default;
+
+bool DdsPlayers::begins_in_domain() {
+  const BusAddress address{.run = new_run_id(),
+                           .domain = domain_->domain(),
+                           .participant = BusAddress::conductor,
+                           .participants = participants(run_),
+                           .apart = run_.network.has_value(),
+                           .profiles = run_.profiles};
+  try {
+    supervisor_.emplace(run_.folder / "processes");
+    start_processes(address);
+    participant_.emplace(address, "conductor");
+    topics_ = std::make_unique<Topics>(*participant_);
+    await_hellos();
+    return true;
+  } catch (const Error&) {
+    supervisor_.reset();
+    topics_.reset();
+    participant_.reset();
+    absent_.clear();
+    if (domain_->complaint().empty()) {
+      throw;
+    }
+    return false;
+  }
+}
 
 void DdsPlayers::start_processes(BusAddress address) {
   const auto deadline = Clock::now() + run_.patience;
@@ -172,7 +191,7 @@ void DdsPlayers::start_processes(BusAddress address) {
                                  .last_region = last_region});
     words.insert(words.end(), told.begin(), told.end());
     const int host = address.participant - BusAddress::first_agent + 1;
-    supervisor_.start(name, command.front(), words, network_ && host > 0 ? network_->namespace_of(host) : -1);
+    supervisor_->start(name, command.front(), words, network_ && host > 0 ? network_->namespace_of(host) : -1);
     absent_.insert(name);
   };
   const auto own = [&](const char* program) { return std::vector{(run_.programs / program).string()}; };
@@ -211,7 +230,7 @@ void DdsPlayers::await_hellos() {
 }
 
 void DdsPlayers::look_after_processes() {
-  for (const auto& death : supervisor_.revive()) {
+  for (const auto& death : supervisor_->revive()) {
     incidents_.push_back({"process ended", death.process + ": " + death.how});
     absent_.insert(death.process);
     deaths_[death.process] = Clock::now();
@@ -220,7 +239,7 @@ void DdsPlayers::look_after_processes() {
     if (hello.name != name_of(from)) {
       throw run_failed(name_of(from) + " calls itself `" + hello.name + "`");
     }
-    if (hello.process_id == supervisor_.process_id(hello.name) && absent_.erase(hello.name) > 0 &&
+    if (hello.process_id == supervisor_->process_id(hello.name) && absent_.erase(hello.name) > 0 &&
         deaths_.contains(hello.name)) {
       const double seconds = std::chrono::duration<double>(Clock::now() - deaths_[hello.name]).count();
       incidents_.push_back({"process back", hello.name + ": process " + std::to_string(hello.process_id) + ", after " +
@@ -240,7 +259,7 @@ void DdsPlayers::take_away(const Absences& away) {
   for (const auto& [name, how] : away) {
     const auto before = away_.find(name);
     if (before == away_.end() || before->second != how) {
-      how == Absence::killed ? supervisor_.kill(name) : supervisor_.stop(name);
+      how == Absence::killed ? supervisor_->kill(name) : supervisor_->stop(name);
     }
   }
   away_ = away;
@@ -248,10 +267,10 @@ void DdsPlayers::take_away(const Absences& away) {
 
 void DdsPlayers::bring_back(const std::string& name, Absence how) {
   if (how == Absence::killed) {
-    supervisor_.start_again(name);
+    supervisor_->start_again(name);
     absent_.insert(name);
   } else {
-    supervisor_.go_on(name);
+    supervisor_->go_on(name);
   }
 }
 
@@ -305,7 +324,7 @@ Exchange DdsPlayers::play(const Tick& tick) {
     return hosts(departures.missing());
   });
   exchange.departures = departures.by_region();
-  supervisor_.progress();
+  supervisor_->progress();
   for (const auto& [what, times] : topics_->refused()) {
     incidents_.push_back({"sample refused", std::to_string(times) + " of " + what});
   }

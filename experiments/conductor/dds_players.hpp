@@ -66,7 +66,7 @@ class DdsPlayers : public Players {
   void take_away(const Absences& away) override;
 
   /// Of "agent-0", ..., "coordinator" or "faults".
-  pid_t process_id(const std::string& name) const { return supervisor_.process_id(name); }
+  pid_t process_id(const std::string& name) const { return supervisor_->process_id(name); }
 
   /// Wall seconds from the first start until all had said hello.
   double ready_seconds() const { return ready_seconds_; }
@@ -74,6 +74,8 @@ class DdsPlayers : public Players {
  private:
   struct Topics;
 
+  /// Starts all and waits for them; false if another program has taken one of the domain's ports meanwhile.
+  bool begins_in_domain();
   void start_processes(BusAddress address);
   void await_hellos();
   void bring_back(const std::string& name, Absence how);
@@ -88,12 +90,13 @@ class DdsPlayers : public Players {
              const std::function<std::set<std::string>()>& missing);
 
   DdsRun run_;
-  DomainLock domain_;
   EmptyFolder journals_;
   std::optional<LossyNetwork> network_;
+  std::optional<DomainLock> domain_;
   std::optional<Participant> participant_;
   std::unique_ptr<Topics> topics_;
-  Supervisor supervisor_;         ///< ends the processes before we leave the bus, which takes long among hundreds
+  std::optional<Supervisor>
+      supervisor_;                ///< ends the processes before we leave the bus, which takes long among hundreds
   std::set<std::string> absent_;  ///< from whom no hello has come since the start, or since its death
   std::map<std::string, std::chrono::steady_clock::time_point> deaths_;  ///< when one of the absent died
   std::vector<Incident> incidents_;

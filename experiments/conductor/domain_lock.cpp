@@ -1,6 +1,6 @@
 #include "experiments/conductor/domain_lock.hpp"
 
-#include "agents/bus/participant.hpp"
+#include "agents/bus/ports.hpp"
 #include "common/error.hpp"
 
 #include <sys/socket.h>
@@ -15,7 +15,6 @@
 namespace evbal {
 namespace {
 
-constexpr int first_domain = 10;           // the low ones belong to others on this host
 constexpr int first_foreign_port = 32768;  // from here on the kernel gives ports to anybody
 
 /// A socket bound to an abstract name is a lock among all that share this host's ports. -1 if somebody has it. Throws
@@ -59,11 +58,14 @@ bool lock_all(int first, int count, std::vector<int>& sockets) {
 
 }  // namespace
 
-DomainLock::DomainLock(int participants) {
+DomainLock::DomainLock(int participants, int from) : participants_(participants) {
   const int block = 1 + (discovery_port(0, participants) - discovery_port(0, 0)) / 250;
+  std::string trouble;
   try {
-    for (domain_ = first_domain; discovery_port(domain_ + block, 0) < first_foreign_port; ++domain_) {
-      if (lock_all(domain_, block, sockets_)) {
+    for (domain_ = from; discovery_port(domain_ + block, 0) < first_foreign_port; ++domain_) {
+      const bool locked = lock_all(domain_, block, sockets_);
+      trouble = locked ? complaint() : "";
+      if (locked && trouble.empty()) {
         return;
       }
       release(sockets_);
@@ -73,7 +75,17 @@ DomainLock::DomainLock(int participants) {
     throw;
   }
   throw run_failed("no free DDS domain for " + std::to_string(participants) +
-                   " processes; wait for other runs on this host to end");
+                   " processes; wait for other runs on this host to end" +
+                   (trouble.empty() ? "" : " (" + trouble + ")"));
+}
+
+std::string DomainLock::complaint() const {
+  for (int port = discovery_port(domain_, 0); port < discovery_port(domain_, participants_); ++port) {
+    if (const std::string why = port_complaint("127.0.0.1", port); !why.empty()) {
+      return "UDP port " + std::to_string(port) + ": " + why;
+    }
+  }
+  return "";
 }
 
 DomainLock::~DomainLock() {

@@ -1,5 +1,6 @@
 #include "experiments/conductor/dds_players.hpp"
 
+#include "agents/bus/ports.hpp"
 #include "agents/hosting/process.hpp"
 #include "agents/protocol/fingerprint.hpp"
 #include "common/error.hpp"

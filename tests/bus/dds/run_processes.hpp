@@ -21,6 +21,13 @@ inline std::vector<std::string> command_line(pid_t process) {
   return words;
 }
 
+/// The word after `option` on the command line of a process; empty if there is none.
+inline std::string word_after(pid_t process, const std::string& option) {
+  const std::vector<std::string> words = command_line(process);
+  const auto found = std::find(words.begin(), words.end(), option);
+  return found == words.end() || found + 1 == words.end() ? "" : *(found + 1);
+}
+
 /// The process of the run in `folder` that has this name; 0 if there is none at the moment.
 inline pid_t find_process(const std::string& folder, const std::string& name) {
   for (const auto& entry : std::filesystem::directory_iterator("/proc")) {

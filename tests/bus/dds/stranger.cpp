@@ -3,6 +3,7 @@
 // Makes the file READY once everybody can hear it.
 
 #include "agents/bus/fast_dds.hpp"
+#include "agents/bus/ports.hpp"
 #include "agents/bus/topics.hpp"
 #include "common/random.hpp"
 

@@ -18,21 +18,14 @@ class StrangersTest : public test::ToyDay {
   StrangersTest() { end_at_eleven(); }
 };
 
-/// The word after `option` on the command line of a process.
-std::string word_after(pid_t process, const std::string& option) {
-  const std::vector<std::string> words = test::command_line(process);
-  const auto found = std::find(words.begin(), words.end(), option);
-  return found == words.end() ? "" : *(found + 1);
-}
-
 TEST_F(StrangersTest, AreRefusedWhateverTheySay) {
   Supervisor supervisor(folder_.path() / "strangers");
   const auto ready = folder_.path() / "ready";
   const auto invite = [&] {
     const pid_t agent = test::find_process(folder_.path(), "agent-0");
     supervisor.start("stranger", own_folder() / "evbal-stranger",
-                     {word_after(agent, "--domain"), word_after(agent, "--run"), word_after(agent, "--participants"),
-                      ready.string()});
+                     {test::word_after(agent, "--domain"), test::word_after(agent, "--run"),
+                      test::word_after(agent, "--participants"), ready.string()});
     for (int i = 0; i < 2000 && !std::filesystem::exists(ready); ++i) {
       std::this_thread::sleep_for(10ms);
     }

@@ -1,5 +1,6 @@
 // What a user's shell and working directory hold for other programs on DDS: the day is the one without it.
 
+#include "tests/held_ports.hpp"
 #include "tests/run/evbal/command_line.hpp"
 
 #include <gtest/gtest.h>
@@ -16,9 +17,10 @@ namespace fs = std::filesystem;
 /// What evbal is started among.
 struct Surroundings {
   std::string name;
-  std::string profiles;  ///< an XML file of Fast DDS; empty: none
-  std::string
-      environment;  ///< before the command, as a shell has it; without any, the profiles lie where Fast DDS looks
+  std::string profiles;     ///< an XML file of Fast DDS; empty: none
+  std::string environment;  ///< what a shell has before the command; if nothing, the profiles lie where Fast DDS looks
+  int first_port = 0;       ///< of those that another program has
+  int ports = 0;            ///< that it has; a run asks for 9910 and those that follow first
 };
 
 std::string profiles(const std::string& text) {
@@ -81,6 +83,8 @@ std::vector<Surroundings> all_surroundings() {
       {"Locale", "", "localedef -i de_DE -f UTF-8 ./de_DE.UTF-8; LOCPATH=$PWD LC_ALL=de_DE.UTF-8"},
       {"OmpThreads", "", "OMP_NUM_THREADS=8 OMP_DYNAMIC=TRUE OMP_PROC_BIND=TRUE"},
       {"BlasThreads", "", "OPENBLAS_NUM_THREADS=8 GOTO_NUM_THREADS=8 OPENBLAS_CORETYPE=Haswell"},
+      {"PortsInUse", "", "", 9910, 4},
+      {"ThreeDomainsInUse", "", "", 9900, 750},
   };
 }
 
@@ -106,10 +110,11 @@ TEST_P(InSurroundings, TheDayIsTheSame) {
   write("environment.json", R"({"environment_variables": {"ROS_DISCOVERY_SERVER": "127.0.0.1:11811"}})");
   if (!around.environment.empty()) {
     write("profiles.xml", around.profiles);
-  } else {
+  } else if (!around.profiles.empty()) {
     write("DEFAULT_FASTRTPS_PROFILES.xml", around.profiles);
     write("DEFAULT_FASTDDS_PROFILES.xml", around.profiles);
   }
+  const HeldPorts held(around.first_port, around.ports);
   const Ended ended = line.evbal("run morning.yaml --transport dds --out among --quiet", around.environment);
   ASSERT_EQ(ended.status, 0) << ended.err;
   EXPECT_EQ(line.summary("among", "digest"), line.summary("alone", "digest"));

@@ -1,0 +1,57 @@
+#include "agents/bus/ports.hpp"
+
+#include <arpa/inet.h>
+#include <dirent.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+namespace evbal {
+namespace {
+
+/// The UDP port to which a file of this process is bound; 0 if it is none of IPv4.
+int port_of(int file) {
+  int type = 0;
+  socklen_t size = sizeof type;
+  if (getsockopt(file, SOL_SOCKET, SO_TYPE, &type, &size) != 0 || type != SOCK_DGRAM) {
+    return 0;
+  }
+  sockaddr_in address{};
+  size = sizeof address;
+  getsockname(file, reinterpret_cast<sockaddr*>(&address), &size);
+  return address.sin_family == AF_INET ? ntohs(address.sin_port) : 0;
+}
+
+}  // namespace
+
+int discovery_port(int domain, int participant) {
+  return 7400 + 250 * domain + 10 + 2 * participant;
+}
+
+std::string port_complaint(const std::string& address, int port) {
+  sockaddr_in wanted{};
+  wanted.sin_family = AF_INET;
+  wanted.sin_addr.s_addr = inet_addr(address.c_str());
+  wanted.sin_port = htons(static_cast<std::uint16_t>(port));
+  const int file = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  const bool bound = file >= 0 && bind(file, reinterpret_cast<const sockaddr*>(&wanted), sizeof wanted) == 0;
+  std::string complaint = bound ? "" : std::strerror(errno);
+  if (file >= 0) {
+    close(file);
+  }
+  return complaint;
+}
+
+bool has_port(int port) {
+  for (const auto& file : std::filesystem::directory_iterator("/proc/self/fd")) {
+    if (port_of(std::stoi(file.path().filename())) == port) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace evbal
