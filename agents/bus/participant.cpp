@@ -93,8 +93,8 @@ void check_ports(const BusAddress& address) {
     if (!has_port(port)) {
       const std::string host = host_of(address, address.participant);
       const std::string complaint = port_complaint(host, port);
-      throw run_failed("UDP port " + std::to_string(port) + " of " + host + " cannot be had: " +
-                       (complaint.empty() ? "Fast DDS has another, perhaps since it was in use" : complaint));
+      throw run_failed("UDP port " + std::to_string(port) + " of " + host +
+                       " cannot be had: " + (complaint.empty() ? "Fast DDS did not take it" : complaint));
     }
   }
 }

@@ -46,7 +46,8 @@ std::string port_complaint(const std::string& address, int port) {
 }
 
 bool has_port(int port) {
-  for (const auto& file : std::filesystem::directory_iterator("/proc/self/fd")) {
+  std::error_code unreadable;
+  for (const auto& file : std::filesystem::directory_iterator("/proc/self/fd", unreadable)) {
     if (port_of(std::stoi(file.path().filename())) == port) {
       return true;
     }

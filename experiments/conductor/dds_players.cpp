@@ -4,6 +4,7 @@
 #include "agents/hosting/process.hpp"
 #include "common/error.hpp"
 #include "common/interrupt.hpp"
+#include "experiments/conductor/machine_needs.hpp"
 
 #include <unistd.h>
 
@@ -133,6 +134,11 @@ struct DdsPlayers::Topics {
 
 DdsPlayers::DdsPlayers(const DdsRun& run) : run_(run), journals_(run.folder / "journals") {
   const auto begin = Clock::now();
+  for (const auto& need : machine_needs(run_.programs)) {
+    if (!need.met) {
+      throw run_failed(need.what + ": " + need.cure);
+    }
+  }
   ignore_surroundings();
   if (run_.network) {
     network_.emplace(*run_.network, agents(run_), run_.seed);
@@ -219,7 +225,7 @@ void DdsPlayers::await(const std::string& what, const Reader<Message>& reader,
     look_after_processes();
     if (Clock::now() > deadline) {
       throw run_failed("no " + what + " from " + listed(names) + " within " + std::to_string(run_.patience.count()) +
-                       " s");
+                       " s" + supervisor_->last_words(*names.begin()));
     }
     reader.wait(glance);
   }

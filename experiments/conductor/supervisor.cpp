@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <deque>
 #include <fstream>
 #include <thread>
 #include <utility>
@@ -144,11 +145,20 @@ Supervisor::Process& Supervisor::find(const std::string& name) {
 
 std::string Supervisor::last_words(const std::string& name) const {
   std::ifstream log(log_folder_ / (name + ".log"));
-  std::string last;
+  std::deque<std::string> last;
   for (std::string line; std::getline(log, line);) {
-    last = line.empty() ? last : line;
+    if (line.find_first_not_of(" \t") != std::string::npos) {
+      last.push_back(line);
+    }
+    if (last.size() > 3) {
+      last.pop_front();
+    }
   }
-  return last.empty() ? "" : ": " + last;
+  std::string words;
+  for (const auto& line : last) {
+    words += (words.empty() ? ": " : " | ") + line;
+  }
+  return words;
 }
 
 }  // namespace evbal

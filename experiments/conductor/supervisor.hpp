@@ -52,6 +52,9 @@ class Supervisor {
   /// Of the process started under that name, which exists.
   pid_t process_id(const std::string& name) const;
 
+  /// ": " and the last three lines that a process has printed, blank ones left out; empty if there are none.
+  std::string last_words(const std::string& name) const;
+
  private:
   struct Process {
     std::string name;
@@ -65,7 +68,6 @@ class Supervisor {
   Process& find(const std::string& name);
   void reap_ended();
   bool any_left() const;
-  std::string last_words(const std::string& name) const;
 
   std::filesystem::path log_folder_;
   Pipe pipe_;

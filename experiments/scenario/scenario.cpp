@@ -107,13 +107,13 @@ void apply(const Overrides& overrides, Scenario& scenario) {
 void check_transport(const Scenario& scenario) {
   const auto needs_bus = [&](bool given, const std::string& what) {
     if (given && scenario.transport != "dds") {
-      throw bad_input(what + " on the bus; with transport `" + scenario.transport + "` there is none, choose `dds`");
+      throw bad_input(what + " the bus; with transport `" + scenario.transport + "` there is none, choose `dds`");
     }
   };
   needs_bus(!scenario.planning.coordinator.empty(),
-            "coordinator `" + shown(scenario.planning.coordinator) + "`: takes part");
-  needs_bus(scenario.network.has_value(), "network: acts");
-  needs_bus(!scenario.dds_profiles.empty(), "dds_profiles: act");
+            "coordinator `" + shown(scenario.planning.coordinator) + "`: takes part over");
+  needs_bus(scenario.network.has_value(), "network: acts on");
+  needs_bus(!scenario.dds_profiles.empty(), "dds_profiles: are of");
 }
 
 /// The name that the file gives, else the file's own.

@@ -88,9 +88,9 @@ const std::vector<Room>& rooms() {
       {"tools/bench", {"common", "coordinator/convex", "coordinator/balancing", "tools/samples", "tools/verify"}},
       {"tools/evbal",
        {"common", "agents/protocol", "agents/world", "coordinator/planning", "experiments/scenario",
-        "experiments/record", "experiments/progress", "experiments/run", "experiments/study/design",
-        "experiments/study/store", "experiments/study/statistics", "experiments/study/executors", "tools/fit",
-        "tools/gps", "tools/ingest", "tools/report", "tools/verify"}},
+        "experiments/conductor", "experiments/record", "experiments/progress", "experiments/run",
+        "experiments/study/design", "experiments/study/store", "experiments/study/statistics",
+        "experiments/study/executors", "tools/fit", "tools/gps", "tools/ingest", "tools/report", "tools/verify"}},
   };
   return table;
 }

@@ -2,15 +2,14 @@
 
 #include "common/error.hpp"
 #include "common/installation.hpp"
+#include "experiments/conductor/domain_lock.hpp"
+#include "experiments/conductor/machine_needs.hpp"
 #include "experiments/run/leftovers.hpp"
 
 #include <CLI/CLI.hpp>
-#include <arpa/inet.h>
-#include <sys/socket.h>
 #include <unistd.h>
 
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -38,33 +37,14 @@ class Diagnosis {
   int troubles_ = 0;
 };
 
-/// Does a datagram come back over 127.0.0.1?
-bool loopback_works() {
-  const int receiver = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
-  const int sender = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  socklen_t size = sizeof address;
-  const timeval patience{.tv_sec = 1, .tv_usec = 0};
-  setsockopt(receiver, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
-  auto* generic = reinterpret_cast<sockaddr*>(&address);
-  char byte = 'x';
-  const bool works = bind(receiver, generic, size) == 0 && getsockname(receiver, generic, &size) == 0 &&
-                     sendto(sender, &byte, 1, 0, generic, size) == 1 && recv(receiver, &byte, 1, 0) == 1;
-  close(receiver);
-  close(sender);
-  return works;
-}
-
 /// The shared libraries of this program, as the files that they really are: their names end in the version.
 std::set<std::string> libraries() {
   std::set<std::string> names;
   std::ifstream maps("/proc/self/maps");
   for (std::string line; std::getline(maps, line);) {
     const auto at = line.find('/');
-    for (const char* part :
-         {"fastrtps", "fastcdr", "ipopt", "libClp", "dmumps_seq", "openblas", "liblapack", "mrpt-math", "sqlite3"}) {
+    for (const char* part : {"fastrtps", "fastdds", "fastcdr", "ipopt", "libClp", "dmumps_seq", "openblas", "liblapack",
+                             "mrpt-math", "sqlite3"}) {
       if (at != std::string::npos && line.find(part, at) != std::string::npos) {
         names.insert(fs::path(line.substr(at)).filename().string());
       }
@@ -73,24 +53,57 @@ std::set<std::string> libraries() {
   return names;
 }
 
-/// Shared memory that the bus never uses here; other programs of Fast DDS may.
+/// Files of shared memory of Fast DDS, which other programs make.
 int shared_memory_files() {
   std::error_code error;
   int count = 0;
   for (const auto& entry : fs::directory_iterator("/dev/shm", error)) {
-    count += entry.path().filename().string().find("fastrtps") != std::string::npos ? 1 : 0;
+    const std::string name = entry.path().filename();
+    count += name.starts_with("fastrtps") || name.starts_with("fastdds") ? 1 : 0;
   }
   return count;
+}
+
+/// What is not wrong and may explain much.
+void tell_facts(Diagnosis& diagnosis) {
+  const int buffer = granted_socket_buffer() / 1024;
+  diagnosis.fact("socket buffers of " + std::to_string(buffer) + " KiB" +
+                 (buffer < 4096 ? "; with hundreds of agents, more is faster: `sysctl -w net.core.rmem_max=4194304 "
+                                  "net.core.wmem_max=4194304`"
+                                : ""));
+  diagnosis.fact(access("/dev/net/tun", R_OK | W_OK) == 0
+                     ? "/dev/net/tun, for scenarios with `network`"
+                     : "no /dev/net/tun, which scenarios with `network` need: run as root, or let this user read and "
+                       "write it");
+  if (const int files = shared_memory_files(); files > 0) {
+    diagnosis.fact(std::to_string(files) + " files of Fast DDS in /dev/shm, of other programs: evbal makes none");
+  }
+  diagnosis.fact(std::to_string(std::thread::hardware_concurrency()) + " processors");
+  for (const auto& name : libraries()) {
+    diagnosis.fact(name);
+  }
+}
+
+/// Whether a run of 60 processes would find a DDS domain.
+void check_ports(Diagnosis& diagnosis) {
+  std::string complaint;
+  try {
+    const DomainLock lock(60);
+  } catch (const Error& error) {
+    complaint = error.what();
+  }
+  diagnosis.check(complaint.empty(), "UDP ports of a DDS domain", complaint);
 }
 
 void examine(bool clean) {
   Diagnosis diagnosis;
   const fs::path folder = own_folder();
-  for (const char* program : {"evbal-agent", "evbal-coordinator", "evbal-faults", "evbal-bridge"}) {
-    diagnosis.check(access((folder / program).c_str(), X_OK) == 0, program,
-                    "not beside evbal in " + folder.string() + "; build it");
+  for (const auto& need : machine_needs(folder)) {
+    diagnosis.check(need.met, need.what, need.cure);
   }
-  diagnosis.check(loopback_works(), "UDP over 127.0.0.1", "no datagram came back; bring the loopback interface up");
+  diagnosis.check(access((folder / "evbal-bridge").c_str(), X_OK) == 0, "evbal-bridge",
+                  "is no program in " + folder.string() + "; build or install it there");
+  check_ports(diagnosis);
   for (const auto& left : find_leftovers()) {
     if (clean) {
       left.remove();
@@ -99,15 +112,10 @@ void examine(bool clean) {
       diagnosis.check(false, left.what, "left over; `evbal doctor --clean` removes it");
     }
   }
-  const int files = shared_memory_files();
-  diagnosis.check(files == 0, "no shared memory of Fast DDS",
-                  std::to_string(files) + " files in /dev/shm; evbal makes none, remove them if no other program does");
-  diagnosis.fact(std::to_string(std::thread::hardware_concurrency()) + " processors");
-  for (const auto& name : libraries()) {
-    diagnosis.fact(name);
-  }
+  tell_facts(diagnosis);
   if (diagnosis.troubles() > 0) {
-    throw run_failed(std::to_string(diagnosis.troubles()) + " things to mend");
+    throw run_failed(std::to_string(diagnosis.troubles()) +
+                     (diagnosis.troubles() == 1 ? " thing to mend" : " things to mend"));
   }
 }
 

@@ -133,6 +133,14 @@ TEST_F(DdsPlayersTest, NamesTheProcessThatHangs) {
   EXPECT_NE(message.find("no plan of tick 2 from coordinator"), std::string::npos) << message;
 }
 
+TEST_F(DdsPlayersTest, ShowsTheLastWordsOfAProcessThatDoesNotCome) {
+  DdsRun given = run(3, 1);
+  given.patience = 3s;
+  given.coordinator = {"/bin/sh", "-c", "echo asking for a licence; exec sleep 60"};
+  const std::string message = complaint([&] { const DdsPlayers players(given); });
+  EXPECT_NE(message.find("no hello from coordinator within 3 s: asking for a licence"), std::string::npos) << message;
+}
+
 TEST_F(DdsPlayersTest, ShowsTheLastWordsOfAProcessThatFails) {
   Supervisor supervisor(folder_.path());
   supervisor.start("sad", "/bin/sh", {"-c", "echo oh no >&2; exit 7"});

@@ -91,6 +91,11 @@ TEST_F(OwnCoordinator, IsNamedIfItCannotTakePart) {
   expect_broken("false", 3, "ended with status 1");
 }
 
+TEST_F(OwnCoordinator, IsShownWithItsLastWords) {
+  std::ofstream(line_.path() / "wrong.py") << "input()\nprint(undefined)\n";
+  expect_broken("evbal-bridge python3 wrong.py", 3, "NameError: name 'undefined' is not defined");
+}
+
 TEST_F(OwnCoordinator, IsRefusedWhatItSaysWrong) {
   expect_refused("hello", "not valid JSON");
   expect_refused("{}", "moves: is missing");

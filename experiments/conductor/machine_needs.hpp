@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace evbal {
+
+/// Something that a run over the bus needs of the machine.
+struct Need {
+  std::string what;  ///< "UDP over 127.0.0.1"
+  bool met = false;  ///< whether it is there
+  std::string cure;  ///< what is wrong otherwise, and what would be right
+};
+
+/// What a run needs whose programs are in the folder `programs`, found out within a tenth of a second. Free UDP ports
+/// are DomainLock's, /dev/net/tun is LossyNetwork's.
+std::vector<Need> machine_needs(const std::filesystem::path& programs);
+
+/// The bytes that a socket of this process may buffer, of the 4 MiB for which the bus asks.
+int granted_socket_buffer();
+
+}  // namespace evbal
