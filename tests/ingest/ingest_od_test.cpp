@@ -79,7 +79,7 @@ TEST_F(IngestOd, MakesACityOfFactors) {
   EXPECT_NEAR(factors.course.sum(), 0.8 * 12, 1e-3) << "days average to the share within the day";
   EXPECT_EQ(city.points().sum(), 5) << "half of nine, rounded, by largest remainders";
   for (const std::string line :
-       {"trip rows read: 6", "malformed row: 1", "an end outside the zones: 7", "trips used: 80"}) {
+       {"trip rows read: 6", ": 1 (first: ", "an end outside the zones: 7 (first: ", "trips used: 80"}) {
     EXPECT_NE(made.report.find(line), std::string::npos) << line << " not in\n" << made.report;
   }
   write_city(city, {}, folder_.path() / "pack");

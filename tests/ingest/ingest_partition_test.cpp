@@ -32,6 +32,13 @@ std::string geojson(double jitter) {
   return out + "]}";
 }
 
+const std::string kWebMercator =
+    R"(PROJCS["WGS_1984_Web_Mercator_Auxiliary_Sphere",GEOGCS["GCS_WGS_1984",DATUM["D_WGS_1984",)"
+    R"(SPHEROID["WGS_1984",6378137.0,298.257223563]],PRIMEM["Greenwich",0.0],UNIT["Degree",0.0174532925199433]],)"
+    R"(PROJECTION["Mercator_Auxiliary_Sphere"],PARAMETER["False_Easting",0.0],PARAMETER["False_Northing",0.0],)"
+    R"(PARAMETER["Central_Meridian",0.0],PARAMETER["Standard_Parallel_1",0.0],PARAMETER["Auxiliary_Sphere_Type",0.0],)"
+    R"(UNIT["Meter",1.0]])";
+
 /// The same squares as a shapefile of Web Mercator metres.
 std::filesystem::path write_shapefile(const Folder& folder) {
   const double pi = std::acos(-1.0);
@@ -57,8 +64,7 @@ std::filesystem::path write_shapefile(const Folder& folder) {
   }
   SHPClose(shapes);
   DBFClose(table);
-  folder.write("zones.prj",
-               "PROJCS[\"WGS_1984_Web_Mercator_Auxiliary_Sphere\",PROJECTION[\"Mercator_Auxiliary_Sphere\"]]");
+  folder.write("zones.prj", kWebMercator);
   return file;
 }
 
@@ -80,7 +86,7 @@ TEST(IngestPartition, BalancesTheChosenField) {
   EXPECT_EQ(made.region_of[1], made.region_of[6]) << "the one far out belongs to the nearest";
   EXPECT_NE(made.region_of[0], made.region_of[1]) << "the heavy one weighs as much as all others";
   EXPECT_EQ(zones_csv(made).substr(0, 18), "zone,region\na," + made.regions[made.region_of[0]].name + "\n");
-  const auto zones = read_zones(folder.path() / "zones.geojson");
+  const auto zones = read_zones(folder.path() / "zones.geojson").zones;
   EXPECT_EQ(zones[0].weight, zones[0].area_m2) << "without a field they weigh by area";
 }
 
@@ -89,14 +95,14 @@ TEST(IngestPartition, MakesOneRegionOfEachZone) {
   const Partition made =
       partition_zones(read_bordering_zones(folder.write("zones.geojson", geojson(0.0)), {}), kSquares);
   EXPECT_EQ(std::set<int>(made.region_of.begin(), made.region_of.end()).size(), kSquares);
-  EXPECT_THROW(partition_zones(made.zones, kSquares + 1), Error);
+  EXPECT_THROW(partition_zones({made.zones, {}}, kSquares + 1), Error);
 }
 
 TEST(IngestPartition, SharesBordersThatNearlyTouch) {
   const Folder folder;
   constexpr double kFiveMetres = 5e-5;
   const auto file = folder.write("zones.geojson", geojson(kFiveMetres));
-  EXPECT_TRUE(neighbours_of(read_zones(file))[1].empty());
+  EXPECT_TRUE(neighbours_of(read_zones(file).zones)[1].empty());
   const Partition made = partition_zones(read_bordering_zones(file, {}), 1);
   EXPECT_EQ(neighbours_of(made.zones)[1], (std::vector<int>{0, 2}));
   EXPECT_EQ(made.regions[0].outline.size(), 2U) << "all in a row, and the one far out";
@@ -104,8 +110,8 @@ TEST(IngestPartition, SharesBordersThatNearlyTouch) {
 
 TEST(ReadZones, OfAShapefileAreThoseOfTheGeojson) {
   const Folder folder;
-  const auto zones = read_zones(write_shapefile(folder), {"id", "jobs"});
-  const auto expected = read_zones(folder.write("zones.geojson", geojson(0.0)), {"id", "jobs"});
+  const auto zones = read_zones(write_shapefile(folder), {"id", "jobs"}).zones;
+  const auto expected = read_zones(folder.write("zones.geojson", geojson(0.0)), {"id", "jobs"}).zones;
   ASSERT_EQ(zones.size(), expected.size());
   for (std::size_t z = 0; z < zones.size(); ++z) {
     EXPECT_NEAR(zones[z].centre.lat, expected[z].centre.lat, 1e-6);
@@ -114,7 +120,7 @@ TEST(ReadZones, OfAShapefileAreThoseOfTheGeojson) {
     EXPECT_EQ(zones[z].name, expected[z].name);
     EXPECT_EQ(zones[z].weight, expected[z].weight);
   }
-  EXPECT_EQ(read_zones(folder.path() / "zones.shp", {"zone", ""})[1].name, "101");
+  EXPECT_EQ(read_zones(folder.path() / "zones.shp", {"zone", ""}).zones[1].name, "101");
 }
 
 TEST(ReadZones, RefusesWhatIsNoShapefile) {
@@ -129,7 +135,7 @@ TEST(ReadZones, RefusesWhatIsNoShapefile) {
   expect_refused(file, {}, "cannot be read as a shapefile");
   folder.write("zones.shp", whole);
   folder.write("zones.prj", "PROJCS[\"OSGB 1936 / British National Grid\"]");
-  expect_refused(file, {}, "zones.prj:1: is another projection");
+  expect_refused(file, {}, "zones.prj:1: `PROJCS[");
   std::filesystem::remove(folder.path() / "zones.prj");
   expect_refused(file, {}, "is not in degrees");
 }
@@ -142,11 +148,13 @@ TEST(ReadZones, RefusesWhatIsNoGeojson) {
   refused("", {}, "is no GeoJSON");
   refused("[]", {}, "is no GeoJSON");
   refused(R"({"features": []})", {}, "has no polygon");
-  refused(R"({"features": [{"geometry": {"type": "Point"}}]})", {}, "feature 0: geometry `Point`");
-  refused(geojson(0.0), {"name", ""}, "is no GeoJSON");
+  refused(R"({"features": {"a": 1}})", {}, "is no GeoJSON FeatureCollection");
+  refused(R"({"features": [{"geometry": {"type": "Point"}}]})", {},
+          "has no polygon\n  dropped, geometry `Point`, which is no polygon: 1 (first: ");
+  refused(geojson(0.0), {"name", ""}, "feature 0: has no property `name`");
   refused(geojson(0.0), {"", "id"}, "weight \"a\" is no number");
   refused(R"({"features": [{"geometry": {"type": "Polygon", "coordinates": [[[500, 2], [3, 4], [5, 6]]]}}]})", {},
-          "feature 0: a position is not in degrees");
+          "feature 0: position 500, 2 is not in degrees");
 }
 
 }  // namespace

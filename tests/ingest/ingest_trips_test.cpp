@@ -125,7 +125,8 @@ TEST_F(IngestTrips, SaysWhatItDropped) {
   const std::string report = ingest_trips(sources_).report;
   for (const std::string line :
        {"rows read: 368", "too short in time: 1", "too long in time: 1", "too fast: 1", "before the day's start: 1",
-        "on another day: 1", "malformed row: 1", "outside the regions: 1", "nearest zone: 1", "trips used: 361"}) {
+        "on another day: 1", "`pickup_unix` is no number of seconds since 1970, such as 1211095865: 1",
+        "outside the regions: 1", "nearest zone: 1", "trips used: 361"}) {
     EXPECT_NE(report.find(line), std::string::npos) << line << " not in\n" << report;
   }
 }
@@ -149,10 +150,11 @@ TEST_F(IngestTrips, RefusesWhatIsNoInput) {
   expect_refused("b.csv:1: has no column `pickup_unix`");
   folder_.write("trips/b.csv", text_of(folder_.path() / "trips/a.csv"));
   folder_.write("zones.geojson", zones_geojson().substr(0, 500));
-  expect_refused("zones.geojson: is no GeoJSON");
+  expect_refused("zones.geojson:1: is no GeoJSON: it breaks off");
   folder_.write("zones.geojson", zones_geojson());
   sources_.regions = 60;
   expect_refused("cannot make 60 regions");
+  expect_refused("on another day: 2 (first: ");
   sources_.regions = 6;
   folder_.write("notes.yaml", kNotes + "more: 1\n");
   expect_refused("notes.yaml:15: unknown key `more`");

@@ -1,93 +1,233 @@
 #include "agents/world/pack_table.hpp"
+#include "common/decimal.hpp"
 #include "common/error.hpp"
+#include "tools/ingest/projection.hpp"
 #include "tools/ingest/read_zones.hpp"
+#include "tools/ingest/zone_collector.hpp"
+#include "tools/ingest/zone_ids.hpp"
 #include "tools/records/text_lines.hpp"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace evbal {
 namespace {
 
 using nlohmann::json;
 
-std::vector<LatLon> read_ring(const json& positions) {
-  std::vector<LatLon> ring;
-  for (const auto& position : positions) {
-    const LatLon point{position.at(1).get<double>(), position.at(0).get<double>()};
-    if (std::abs(point.lat) > 90.0 || std::abs(point.lon) > 180.0) {
-      throw std::domain_error("a position is not in degrees (WGS84)");
+/// A complaint about one feature.
+using Complaint = std::domain_error;
+
+/// A member of an object; null if it has none, or if it is no object.
+const json& member(const json& object, const std::string& name) {
+  static const json none;
+  const auto found = object.find(name);
+  return found == object.end() ? none : *found;
+}
+
+json parse(const std::filesystem::path& file) {
+  const std::string text = unpacked_text(file);
+  try {
+    return json::parse(text);
+  } catch (const json::parse_error& error) {
+    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
+    const auto line = 1 + std::count(text.begin(), end == text.begin() ? end : std::prev(end), '\n');
+    const std::string what = error.what();
+    std::string wrong = what.substr(what.find(": ", what.find(", column ")) + 2);
+    if (what.find("; expected end of input") != std::string::npos) {
+      wrong = "something follows its end; put all features into one FeatureCollection";
+    } else if (error.byte + 1 >= text.size()) {
+      wrong = "it breaks off; is the file truncated?";
     }
-    ring.push_back(point);
-  }
-  return ring;
-}
-
-void add_polygon(const json& rings, Zone& zone) {
-  for (std::size_t r = 0; r < rings.size(); ++r) {
-    add_ring(zone, read_ring(rings[r]), r > 0);
+    throw bad_input(file.string(), static_cast<int>(line), "is no GeoJSON: " + wrong);
+  } catch (const json::exception& error) {
+    throw bad_input(file.string(), 0, std::string("is no GeoJSON: ") + error.what());
   }
 }
 
-Zone read_polygons(const json& geometry) {
-  const auto& type = geometry.at("type").get_ref<const std::string&>();
-  Zone zone;
-  if (type == "Polygon") {
-    add_polygon(geometry.at("coordinates"), zone);
-  } else if (type == "MultiPolygon") {
-    for (const auto& polygon : geometry.at("coordinates")) {
-      add_polygon(polygon, zone);
+/// Reads the features of a FeatureCollection.
+class FeatureReader {
+ public:
+  FeatureReader(const std::filesystem::path& file, const ZoneFields& fields)
+      : file_(file), fields_(fields), zones_(file, "feature") {}
+
+  ZoneFile read(const json& collection) {
+    try {
+      collection_crs_ = projection_of(collection, nullptr);
+    } catch (const Complaint& complaint) {
+      throw bad_input(file_.string(), 0, complaint.what());
     }
-  } else {
-    throw std::domain_error("geometry `" + type + "` is neither Polygon nor MultiPolygon");
+    std::size_t position = 0;
+    try {
+      for (const auto& feature : collection.at("features")) {
+        read_feature(feature, position);
+        ++position;
+      }
+      return zones_.finish();
+    } catch (const Complaint& complaint) {
+      throw with_report(zones_.error(position, complaint.what()), zones_.dropped().report());
+    } catch (const json::exception& error) {
+      throw with_report(zones_.error(position, std::string("is no feature with a polygon: ") + error.what()),
+                        zones_.dropped().report());
+    } catch (const Error& error) {
+      throw with_report(error, zones_.dropped().report());
+    }
   }
-  return zone;
-}
 
-double read_weight(const json& value) {
-  const auto number =
-      value.is_string() ? parse_number(value.get_ref<const std::string&>()) : std::optional(value.get<double>());
-  if (!number || *number < 0.0) {
-    throw std::domain_error("weight " + value.dump() + " is no number from 0 on");
+ private:
+  /// What the member `crs` of an object names; `otherwise` if it has none.
+  const Projection* projection_of(const json& object, const Projection* otherwise) {
+    const json& crs = member(object, "crs");
+    if (crs.is_null()) {
+      return otherwise;
+    }
+    const json& name = crs.is_object() ? member(member(crs, "properties"), "name") : crs;
+    if (!name.is_string()) {
+      throw Complaint("its `crs` names no coordinate reference system such as EPSG:2263");
+    }
+    const auto& text = name.get_ref<const std::string&>();
+    const auto known = projections_.find(text);
+    if (known != projections_.end()) {
+      return &known->second;
+    }
+    try {
+      return &projections_.emplace(text, Projection(text)).first->second;
+    } catch (const Error& error) {
+      throw Complaint(std::string("its `crs` ") + error.what());
+    }
   }
-  return *number;
-}
 
-void read_fields(const json& feature, const ZoneFields& fields, Zone& zone) {
-  if (!fields.name.empty()) {
-    const json& name = feature.at("properties").at(fields.name);
-    zone.name = name.is_string() ? name.get<std::string>() : name.dump();
+  void read_feature(const json& feature, std::size_t position) {
+    if (!feature.is_object()) {
+      throw Complaint("is no GeoJSON Feature");
+    }
+    const json& geometry = member(feature, "geometry");
+    if (geometry.is_null()) {
+      zones_.drop(position, "no geometry");
+      return;
+    }
+    crs_ = projection_of(geometry, projection_of(feature, collection_crs_));
+    Zone zone;
+    corners_ = false;
+    const bool polygonal = add_geometry(geometry, zone, position, true);
+    if (!zone.rings.empty()) {
+      zones_.add(position, std::move(zone), name_of(feature), weight_of(feature));
+    } else if (polygonal) {
+      zones_.drop(position, corners_ ? "a polygon smaller than 0.1 m" : "a polygon without coordinates");
+    }
   }
-  if (!fields.weight.empty()) {
-    zone.weight = read_weight(feature.at("properties").at(fields.weight));
+
+  /// False, and a word, if the geometry is no polygon.
+  bool add_geometry(const json& geometry, Zone& zone, std::size_t position, bool may_collect) {
+    const auto& type = geometry.at("type").get_ref<const std::string&>();
+    if (type == "Polygon") {
+      add_polygon(geometry.at("coordinates"), zone);
+    } else if (type == "MultiPolygon") {
+      for (const auto& polygon : geometry.at("coordinates")) {
+        add_polygon(polygon, zone);
+      }
+    } else if (type == "GeometryCollection" && may_collect) {
+      for (const auto& part : geometry.at("geometries")) {
+        add_geometry(part, zone, position, false);
+      }
+    } else {
+      zones_.drop(position, "geometry " + shown(type) + ", which is no polygon");
+      return false;
+    }
+    return true;
   }
-}
+
+  void add_polygon(const json& rings, Zone& zone) {
+    for (std::size_t r = 0; r < rings.size(); ++r) {
+      add_ring(zone, read_ring(rings[r]), r > 0);
+    }
+  }
+
+  std::vector<LatLon> read_ring(const json& positions) {
+    std::vector<LatLon> ring;
+    for (const auto& position : positions) {
+      ring.push_back(place(position.at(0).get<double>(), position.at(1).get<double>()));
+      corners_ = true;
+    }
+    return ring;
+  }
+
+  LatLon place(double x, double y) const {
+    if (crs_ != nullptr) {
+      if (const auto turned = crs_->place(x, y)) {
+        return *turned;
+      }
+      throw Complaint("position " + decimal(x) + ", " + decimal(y) + " lies where " + shown(crs_->name()) +
+                      " is not used; is that its `crs`, and are these its units?");
+    }
+    if (std::abs(y) > 90.0 || std::abs(x) > 180.0) {
+      throw Complaint("position " + decimal(x) + ", " + decimal(y) +
+                      " is not in degrees (WGS84); a member `crs` must name another system");
+    }
+    return {y, x};
+  }
+
+  std::string name_of(const json& feature) const {
+    return fields_.name.empty() ? "" : zone_id(field(feature, fields_.name));
+  }
+
+  static std::string zone_id(const json& value) {
+    if (value.is_string()) {
+      return trimmed_id(value.get_ref<const std::string&>());
+    }
+    if (!value.is_number()) {
+      throw Complaint("its name " + value.dump() + " is neither text nor a number");
+    }
+    const std::string digits = value.dump();
+    return whole_number(digits).value_or(digits);
+  }
+
+  std::optional<double> weight_of(const json& feature) const {
+    if (fields_.weight.empty()) {
+      return std::nullopt;
+    }
+    const json& value = field(feature, fields_.weight);
+    const auto number = value.is_string()   ? parse_number(value.get_ref<const std::string&>())
+                        : value.is_number() ? std::optional(value.get<double>())
+                                            : std::nullopt;
+    if (!number || *number < 0.0) {
+      throw Complaint("weight " + value.dump() + " is no number from 0 on");
+    }
+    return number;
+  }
+
+  /// A property that the feature must have.
+  static const json& field(const json& feature, const std::string& name) {
+    const json& value = member(member(feature, "properties"), name);
+    if (value.is_null() || (value.is_string() && trimmed_id(value.get_ref<const std::string&>()).empty())) {
+      throw Complaint("has no property `" + name + "`");
+    }
+    return value;
+  }
+
+  const std::filesystem::path& file_;
+  const ZoneFields& fields_;
+  ZoneCollector zones_;
+  std::map<std::string, Projection> projections_;  ///< by the name of the system
+  const Projection* collection_crs_ = nullptr;     ///< null: degrees
+  const Projection* crs_ = nullptr;                ///< of the feature that is read
+  bool corners_ = false;                           ///< whether that has any
+};
 
 }  // namespace
 
-std::vector<Zone> read_geojson_zones(const std::filesystem::path& file, const ZoneFields& fields) {
-  std::vector<Zone> zones;
-  std::size_t position = 0;
-  try {
-    const json collection = json::parse(unpacked_text(file));
-    for (const auto& feature : collection.at("features")) {
-      Zone zone = read_polygons(feature.at("geometry"));
-      if (!zone.rings.empty()) {
-        measure(zone);
-        zone.name = std::to_string(position);
-        zone.weight = zone.area_m2;
-        read_fields(feature, fields, zone);
-        zones.push_back(std::move(zone));
-      }
-      ++position;
-    }
-  } catch (const std::domain_error& error) {
-    throw bad_input(file.string(), 0, "feature " + std::to_string(position) + ": " + error.what());
-  } catch (const json::exception& error) {
-    throw bad_input(file.string(), 0, std::string("is no GeoJSON FeatureCollection of polygons: ") + error.what());
+ZoneFile read_geojson_zones(const std::filesystem::path& file, const ZoneFields& fields) {
+  const json collection = parse(file);
+  if (!collection.is_object() || !member(collection, "features").is_array()) {
+    const json type = collection.is_object() ? member(collection, "type") : json();
+    throw bad_input(file.string(), 0,
+                    "is no GeoJSON FeatureCollection" +
+                        (type.is_string() ? ", but a " + shown(type.get<std::string>()) : std::string()));
   }
-  return zones;
+  return FeatureReader(file, fields).read(collection);
 }
 
 }  // namespace evbal

@@ -2,16 +2,16 @@
 
 #include "agents/world/factors.hpp"
 #include "agents/world/geometry.hpp"
-#include "agents/world/pack_table.hpp"
+#include "common/decimal.hpp"
 #include "common/error.hpp"
 #include "tools/ingest/course.hpp"
 #include "tools/ingest/ingest_partition.hpp"
 #include "tools/ingest/od_notes.hpp"
+#include "tools/records/row_tally.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
 #include <sstream>
 
 namespace evbal {
@@ -28,49 +28,82 @@ struct CellTrips {
   std::vector<LatLon> cells;
   std::map<std::pair<int, int>, long long> trips;  ///< by the positions of two cells
   long long rows = 0;
-  long long malformed = 0;
+  Dropped dropped;  ///< rows
+
+  std::string report() const { return "trip rows read: " + std::to_string(rows) + "\n" + dropped.report(); }
 };
 
 class CellReader {
  public:
-  explicit CellReader(const OdFormat& format) : format_(format) {}
+  explicit CellReader(const OdFormat& format)
+      : format_(format),
+        no_count_(column_name(format.table, format.trips) + " is no number of trips, 1 to " +
+                  std::to_string(kMostTrips)) {
+    for (const std::size_t column : {format.from_lat, format.from_lon, format.to_lat, format.to_lon}) {
+      no_number_[column] = column_name(format.table, column) + " is no number";
+    }
+  }
 
   CellTrips read(const std::filesystem::path& file) {
-    RawTable table(file, format_.table);
     CellTrips all;
-    while (table.next()) {
-      ++all.rows;
-      const auto from = table.whole() ? cell(table, format_.from_lat, format_.from_lon, all) : std::nullopt;
-      const auto to = from ? cell(table, format_.to_lat, format_.to_lon, all) : std::nullopt;
-      const auto trips = to ? parse_integer(table.text(format_.trips)) : std::nullopt;
-      if (!trips || *trips < 1 || *trips > kMostTrips) {
-        ++all.malformed;
-      } else {
-        all.trips[{*from, *to}] += *trips;
+    try {
+      RawTable table(file, format_.table);
+      RowTally tally(table, all.dropped);
+      while (table.next()) {
+        ++all.rows;
+        if (const RowFault fault = add(table, all)) {
+          tally.drop(fault);
+        } else {
+          tally.keep();
+        }
       }
+      tally.finish();
+    } catch (const Error& error) {
+      throw with_report(error, all.report());
     }
     return all;
   }
 
  private:
-  std::optional<int> cell(const RawTable& row, std::size_t lat_column, std::size_t lon_column, CellTrips& all) {
-    const auto lat = parse_number(row.text(lat_column));
-    const auto lon = parse_number(row.text(lon_column));
+  RowFault add(const RawTable& row, CellTrips& all) {
+    int from = 0;
+    int to = 0;
+    RowFault fault = row.fault();
+    fault = fault ? fault : cell(row, format_.from_lat, format_.from_lon, all, from);
+    fault = fault ? fault : cell(row, format_.to_lat, format_.to_lon, all, to);
+    if (fault) {
+      return fault;
+    }
+    const auto trips = row.integer(format_.trips);
+    if (!trips || *trips < 1 || *trips > kMostTrips) {
+      return {no_count_, row.text(format_.trips)};
+    }
+    all.trips[{from, to}] += *trips;
+    return {};
+  }
+
+  RowFault cell(const RawTable& row, std::size_t lat_column, std::size_t lon_column, CellTrips& all, int& cell) {
+    const auto lat = row.number(lat_column);
+    const auto lon = row.number(lon_column);
     if (!lat || !lon) {
-      return std::nullopt;
+      const std::size_t column = lat ? lon_column : lat_column;
+      return {no_number_[column], row.text(column)};
     }
     const LatLon place{format_.first.lat + *lat * format_.step.lat, format_.first.lon + *lon * format_.step.lon};
     if (!(std::abs(place.lat) <= 90.0 && std::abs(place.lon) <= 180.0)) {
-      return std::nullopt;
+      return {"a cell that is not on the earth", row.text(std::abs(place.lat) <= 90.0 ? lon_column : lat_column)};
     }
     const auto [known, is_new] = known_.try_emplace({*lat, *lon}, static_cast<int>(all.cells.size()));
     if (is_new) {
       all.cells.push_back(place);
     }
-    return known->second;
+    cell = known->second;
+    return {};
   }
 
   const OdFormat& format_;
+  std::string no_count_;
+  std::map<std::size_t, std::string> no_number_;  ///< by column
   std::map<std::pair<double, double>, int> known_;
 };
 
@@ -190,6 +223,16 @@ struct Pairs {
   std::map<std::pair<int, int>, long long> trips;
   long long used = 0;
   long long outside = 0;
+  LatLon first_outside;
+
+  std::string report() const {
+    return "trips: " + std::to_string(used + outside) +
+           "\n  dropped, an end outside the zones: " + std::to_string(outside) +
+           (outside == 0 ? ""
+                         : " (first: " + decimal(rounded(first_outside.lat, 1e5)) + ", " +
+                               decimal(rounded(first_outside.lon, 1e5)) + ")") +
+           "\n";
+  }
 };
 
 Pairs count_pairs(const CellTrips& trips, const std::vector<int>& zone_of, const std::vector<int>& region_of,
@@ -199,6 +242,7 @@ Pairs count_pairs(const CellTrips& trips, const std::vector<int>& zone_of, const
   for (const auto& [cells, count] : trips.trips) {
     const auto [from, to] = cells;
     if (zone_of[from] < 0 || zone_of[to] < 0) {
+      pairs.first_outside = pairs.outside > 0 ? pairs.first_outside : trips.cells[zone_of[from] < 0 ? from : to];
       pairs.outside += count;
       continue;
     }
@@ -216,14 +260,10 @@ Pairs count_pairs(const CellTrips& trips, const std::vector<int>& zone_of, const
   return pairs;
 }
 
-}  // namespace
-
-OdCity ingest_od(const OdSources& sources) {
-  OdNotes notes = read_od_notes(sources.notes);
-  const CellTrips trips = CellReader(notes.trips).read(sources.trips);
-  std::vector<Zone> zones = read_bordering_zones(sources.zones, {});
-  const std::vector<int> zone_of = zones_of(trips.cells, zones, notes.snap_m);
-  weigh(trips, zone_of, zones);
+OdCity city_of(const OdSources& sources, OdNotes notes, const CellTrips& trips) {
+  ZoneFile zones = read_bordering_zones(sources.zones, {});
+  const std::vector<int> zone_of = zones_of(trips.cells, zones.zones, notes.snap_m);
+  weigh(trips, zone_of, zones.zones);
   Partition partition = partition_zones(std::move(zones), sources.regions);
 
   City city = std::move(notes.city);
@@ -231,7 +271,8 @@ OdCity ingest_od(const OdSources& sources) {
   city.regions = std::move(partition.regions);
   const Pairs pairs = count_pairs(trips, zone_of, partition.region_of, notes.trips.cell_m(), city);
   if (pairs.used == 0) {
-    throw bad_input(sources.trips.string(), 0, "has no trip between two zones");
+    throw with_report(bad_input(sources.trips.string(), 0, "has no trip between two zones"),
+                      pairs.report() + partition.report);
   }
   take_days(read_city(sources.like), notes.within_day, city);
   const IngestedStations stations = ingest_stations(sources.stations, notes.stations, city.regions, notes.snap_m);
@@ -239,15 +280,24 @@ OdCity ingest_od(const OdSources& sources) {
   set_travel(city);
 
   std::ostringstream out;
-  out << "trip rows read: " << trips.rows << "\n"
-      << "  dropped, malformed row: " << trips.malformed << "\n"
-      << "trips: " << pairs.used + pairs.outside << "\n"
-      << "  dropped, an end outside the zones: " << pairs.outside << "\n"
-      << "trips used: " << pairs.used << " between " << pairs.trips.size() << " pairs of regions\n"
+  out << trips.report() << pairs.report() << "trips used: " << pairs.used << " between " << pairs.trips.size()
+      << " pairs of regions\n"
       << partition.report << "region deviation from day to day: " << city.factors->region_deviation << "\n"
       << stations.report << "points for the fleet: " << city.points().sum() << " at " << city.stations.size()
       << " stations\n";
   return {std::move(city), out.str()};
+}
+
+}  // namespace
+
+OdCity ingest_od(const OdSources& sources) {
+  OdNotes notes = read_od_notes(sources.notes);
+  const CellTrips trips = CellReader(notes.trips).read(sources.trips);
+  try {
+    return city_of(sources, std::move(notes), trips);
+  } catch (const Error& error) {
+    throw with_report(error, trips.report());
+  }
 }
 
 }  // namespace evbal

@@ -17,11 +17,11 @@ struct Partition {
 };
 
 /// read_zones, with borders that run along each other within 10 m made one.
-std::vector<Zone> read_bordering_zones(const std::filesystem::path& file, const ZoneFields& fields);
+ZoneFile read_bordering_zones(const std::filesystem::path& file, const ZoneFields& fields);
 
 /// Merges such zones into connected, compact regions of about equal weight; with as many regions as zones each becomes
-/// one. Throws Error{bad_input} if there are fewer zones.
-Partition partition_zones(std::vector<Zone> zones, int regions);
+/// one. Throws Error{bad_input} with the file's report if there are fewer zones.
+Partition partition_zones(ZoneFile file, int regions);
 
 /// `zone,region`: for each zone its name and its region's, in the order of the file.
 std::string zones_csv(const Partition& partition);

@@ -1,5 +1,6 @@
 #include "tools/ingest/ingest_trips.hpp"
 
+#include "common/decimal.hpp"
 #include "common/error.hpp"
 #include "tools/ingest/merge_zones.hpp"
 #include "tools/ingest/outlines.hpp"
@@ -32,48 +33,71 @@ LatLon rounded(LatLon point) {
   return {rounded(point.lat, 1e5), rounded(point.lon, 1e5)};
 }
 
+/// Latitude and longitude as a message shows them.
+std::string place_text(LatLon place) {
+  return decimal(rounded(place.lat, 1e5)) + ", " + decimal(rounded(place.lon, 1e5));
+}
+
 /// The trips of the sources, to be streamed as often as one likes.
 class TripStream {
  public:
   TripStream(const TripSources& sources, const CityNotes& notes)
       : format_(sources.format.empty() ? own_trip_format() : read_trip_format(sources.format)),
-        zones_(read_zones(sources.zones, {.name = format_.zone_field, .weight = {}})),
+        file_(read_zones(sources.zones, {.name = format_.zone_field, .weight = {}})),
         folder_(sources.trips),
         notes_(notes) {}
 
-  RowCount for_each(const std::function<void(const Trip&)>& use) const {
-    return for_each_trip(folder_, format_, zones_, notes_, use);
-  }
+  RowCount for_each(const UseTrip& use) const { return for_each_trip(folder_, format_, zones(), notes_, use); }
 
-  const std::vector<Zone>& zones() const { return zones_; }
+  const std::vector<Zone>& zones() const { return file_.zones; }
+
+  const std::string& zones_report() const { return file_.report; }
 
  private:
   TripFormat format_;
-  std::vector<Zone> zones_;
+  ZoneFile file_;
   std::filesystem::path folder_;
   const CityNotes& notes_;
 };
 
-ZoneWeights weigh_zones(const TripSources& sources, const CityNotes& notes, const TripStream& trips_on_record) {
+/// Weighs the zones; `rows` tells what was read of the trips.
+ZoneWeights weigh_zones(const TripSources& sources, const CityNotes& notes, const TripStream& trips_on_record,
+                        RowCount& rows) {
   const std::vector<Zone>& zones = trips_on_record.zones();
   const std::vector<Outline> outlines = outlines_of(zones);
   const OutlineMap map(outlines);
-  ZoneWeights weights{std::vector<double>(zones.size(), 0.0), {}};
+  ZoneWeights weights{std::vector<double>(zones.size(), 0.0), std::vector<double>(zones.size(), 0.0), {}};
   double trips = 0.0;
+  std::string first;  // trip, if it starts in no zone
   const auto& training = notes.city.train_days;
-  trips_on_record.for_each([&](const Trip& trip) {
+  const double reference = zones.front().centre.lon;
+  rows = trips_on_record.for_each([&](const Trip& trip) -> std::string_view {
     const auto zone = map.containing(trip.from);
-    if (zone && std::binary_search(training.begin(), training.end(), notes.city.days[trip.day])) {
+    const auto end = map.containing(trip.to);
+    if (end) {
+      weights.ends[*end] += 1.0;
+    }
+    if (!zone) {
+      first = first.empty() ? place_text(trip.from) : first;
+      return {};
+    }
+    weights.ends[*zone] += 1.0;
+    if (std::binary_search(training.begin(), training.end(), notes.city.days[trip.day])) {
       weights.pickups[*zone] += 1.0;
       weights.mean_pickup.lat += trip.from.lat;
-      weights.mean_pickup.lon += trip.from.lon;
+      weights.mean_pickup.lon += longitude_near(trip.from.lon, reference);
       trips += 1.0;
     }
+    return {};
   });
   if (trips == 0.0) {
-    throw bad_input(sources.trips.string(), 0, "no trip of the training days starts in a zone");
+    const Error error = bad_input(
+        sources.trips.string(), 0,
+        "no trip of the training days starts in a zone" +
+            (first.empty() ? "" : "; one starts at " + first + ", a zone lies at " + place_text(zones.front().centre)));
+    throw with_report(error, rows.report());
   }
-  weights.mean_pickup = {weights.mean_pickup.lat / trips, weights.mean_pickup.lon / trips};
+  weights.mean_pickup = {weights.mean_pickup.lat / trips, longitude_near(weights.mean_pickup.lon / trips, 0.0)};
   return weights;
 }
 
@@ -83,7 +107,6 @@ struct Counts {
   std::vector<std::map<Key, int>> days;
   Eigen::VectorXd ends;  ///< pick-ups and drop-offs of each region
   Eigen::VectorXd pickups;
-  long long used = 0;
   long long snapped = 0;  ///< with an end outside the zones but near
   RowCount rows;
 };
@@ -126,23 +149,24 @@ Counts count_trips(const TripSources& sources, const CityNotes& notes, const Tri
   counts.days.resize(notes.city.days.size());
   counts.ends = Eigen::VectorXd::Zero(regions);
   counts.pickups = counts.ends;
-  counts.rows = trips_on_record.for_each([&](const Trip& trip) {
+  counts.rows = trips_on_record.for_each([&](const Trip& trip) -> std::string_view {
     const auto from = finder.find(trip.from);
     const auto to = finder.find(trip.to);
     if (from.region < 0 || to.region < 0) {
-      return;
+      return "an end outside the regions";
     }
-    ++counts.used;
     counts.snapped += from.inside && to.inside ? 0 : 1;
     ++counts.days[trip.day][{trip.step, from.region, to.region}];
     counts.pickups[from.region] += 1.0;
     counts.ends[from.region] += 1.0;
     counts.ends[to.region] += 1.0;
     travel.add(from.region, to.region, trip);
+    return {};
   });
   for (std::size_t d = 0; d < counts.days.size(); ++d) {
     if (counts.days[d].empty()) {
-      throw bad_input(sources.trips.string(), 0, "has no trip of " + notes.city.days[d]);
+      throw with_report(bad_input(sources.trips.string(), 0, "has no trip of " + notes.city.days[d]),
+                        counts.rows.report());
     }
   }
   return counts;
@@ -196,12 +220,7 @@ void add_stations(City& city, const Counts& counts, const CityNotes& notes) {
 std::string report_of(const City& city, const Counts& counts, const TravelLaw& law, const SessionSample& sessions) {
   std::ostringstream out;
   out << std::fixed << std::setprecision(2);
-  out << "rows read: " << counts.rows.read << "\n";
-  for (const auto& [reason, rows] : counts.rows.dropped) {
-    out << "  dropped, " << reason << ": " << rows << "\n";
-  }
-  out << "  dropped, an end outside the regions: " << counts.rows.used - counts.used << "\n"
-      << "trips used: " << counts.used << " on " << city.days.size() << " days\n"
+  out << counts.rows.report() << "trips used: " << counts.rows.used << " on " << city.days.size() << " days\n"
       << "  with an end moved to the nearest zone: " << counts.snapped << "\n"
       << "regions: " << city.size() << ", pick-ups each from " << std::lround(counts.pickups.minCoeff()) << " to "
       << std::lround(counts.pickups.maxCoeff()) << ", mean " << std::lround(counts.pickups.mean()) << "\n"
@@ -211,17 +230,20 @@ std::string report_of(const City& city, const Counts& counts, const TravelLaw& l
   return out.str();
 }
 
-}  // namespace
-
-IngestedCity ingest_trips(const TripSources& sources) {
-  const CityNotes notes = read_notes(sources.notes);
-  if (notes.stations > sources.regions) {
-    throw bad_input(sources.notes.string(), 0, "more stations than regions; give at most one a region");
+MergedZones merged_by(const ZoneWeights& weights, const RowCount& rows, const TripStream& trips, const CityNotes& notes,
+                      int regions) {
+  try {
+    return merge_zones(trips.zones(), weights, notes, regions);
+  } catch (const Error& error) {
+    throw with_report(error, rows.report());
   }
-  const TripStream trips(sources, notes);
+}
+
+IngestedCity city_of(const TripSources& sources, const CityNotes& notes, const TripStream& trips) {
   const std::vector<Zone>& zones = trips.zones();
-  const ZoneWeights weights = weigh_zones(sources, notes, trips);
-  const MergedZones merged = merge_zones(zones, weights, notes, sources.regions);
+  RowCount rows;
+  const ZoneWeights weights = weigh_zones(sources, notes, trips, rows);
+  const MergedZones merged = merged_by(weights, rows, trips, notes, sources.regions);
   const RegionFinder finder(zones, merged.region_of, notes.snap_m);
   TravelSums travel(sources.regions, weights.mean_pickup);
   const Counts counts = count_trips(sources, notes, trips, finder, travel);
@@ -237,8 +259,23 @@ IngestedCity ingest_trips(const TripSources& sources) {
   add_travel(city, travel, notes.detour);
   add_stations(city, counts, notes);
   made.days = demand_days(city, counts);
-  made.report = report_of(city, counts, travel.law(), sessions);
+  made.report = trips.zones_report() + merged.left_out + report_of(city, counts, travel.law(), sessions);
   return made;
+}
+
+}  // namespace
+
+IngestedCity ingest_trips(const TripSources& sources) {
+  const CityNotes notes = read_notes(sources.notes);
+  if (notes.stations > sources.regions) {
+    throw bad_input(sources.notes.string(), 0, "more stations than regions; give at most one a region");
+  }
+  const TripStream trips(sources, notes);
+  try {
+    return city_of(sources, notes, trips);
+  } catch (const Error& error) {
+    throw with_report(error, trips.zones_report());
+  }
 }
 
 }  // namespace evbal

@@ -1,8 +1,10 @@
 #include "tools/ingest/merge_zones.hpp"
 
+#include "common/decimal.hpp"
 #include "common/error.hpp"
 #include "tools/ingest/partition.hpp"
 #include "tools/ingest/shared_borders.hpp"
+#include "tools/records/dropped.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -10,20 +12,80 @@
 namespace evbal {
 namespace {
 
-/// Zones within reach that are connected to the busiest of them.
-std::vector<bool> zones_in_city(const std::vector<Zone>& zones, const ZoneWeights& weights, double reach_km,
-                                const std::vector<std::vector<int>>& neighbours, const std::vector<int>& apart) {
-  const LocalFrame frame(weights.mean_pickup);
-  std::vector<bool> near;
-  int busiest = -1;
-  for (std::size_t z = 0; z < zones.size(); ++z) {
-    const bool taken = std::find(apart.begin(), apart.end(), static_cast<int>(z)) != apart.end();
-    near.push_back(!taken && distance(frame.local(zones[z].centre), {}) <= 1000.0 * reach_km);
-    if (near.back() && (busiest < 0 || weights.pickups[z] > weights.pickups[busiest])) {
-      busiest = static_cast<int>(z);
+/// Zones that hang together by their edges, and share none with others.
+struct Island {
+  std::vector<int> zones;  ///< ascending
+  double ends = 0.0;       ///< of trips
+};
+
+/// The zones that are `near` as islands, the busiest first.
+std::vector<Island> islands_of(const ZoneWeights& weights, const std::vector<std::vector<int>>& neighbours,
+                               const std::vector<bool>& near) {
+  std::vector<Island> islands;
+  std::vector<bool> left = near;
+  for (std::size_t start = 0; start < left.size(); ++start) {
+    if (!left[start]) {
+      continue;
+    }
+    Island& island = islands.emplace_back();
+    const auto reached = reachable(neighbours, static_cast<int>(start), near);
+    for (std::size_t z = start; z < left.size(); ++z) {
+      if (reached[z]) {
+        left[z] = false;
+        island.zones.push_back(static_cast<int>(z));
+        island.ends += weights.ends[z];
+      }
     }
   }
-  return busiest < 0 ? near : reachable(neighbours, busiest, near);
+  std::stable_sort(islands.begin(), islands.end(), [](const Island& a, const Island& b) { return a.ends > b.ends; });
+  return islands;
+}
+
+/// "3 (first: `12`), trip ends: 40".
+std::string summary(const Island& group, const std::vector<Zone>& zones) {
+  return std::to_string(group.zones.size()) + " (first: " + shown(zones[group.zones.front()].name) +
+         "), trip ends: " + decimal(group.ends) + "\n";
+}
+
+/// The zones to merge, ascending; `left_out` tells of the others.
+std::vector<int> zones_in_city(const std::vector<Zone>& zones, const ZoneWeights& weights, double reach_km,
+                               const std::vector<std::vector<int>>& neighbours, const std::vector<int>& apart,
+                               std::string& left_out) {
+  constexpr double kNegligible = 0.01;     // of the trip ends
+  constexpr std::size_t kMostListed = 10;  // islands
+  const LocalFrame frame(weights.mean_pickup);
+  std::vector<bool> near;
+  Island far;
+  for (int z = 0; z < static_cast<int>(zones.size()); ++z) {
+    const bool taken = std::find(apart.begin(), apart.end(), z) != apart.end();
+    near.push_back(!taken && distance(frame.local(zones[z].centre), {}) <= 1000.0 * reach_km);
+    if (!taken && !near.back()) {
+      far.zones.push_back(z);
+      far.ends += weights.ends[z];
+    }
+  }
+  left_out = far.zones.empty() ? "" : "  dropped, zones out of reach: " + summary(far, zones);
+  const auto islands = islands_of(weights, neighbours, near);
+  double left = std::accumulate(islands.begin(), islands.end(), 0.0,
+                                [](double sum, const Island& island) { return sum + island.ends; });
+  const double negligible = kNegligible * left;
+  Island city;
+  std::size_t listed = 0;
+  Island others;  // beyond the list
+  for (const Island& island : islands) {
+    const bool few_trips = !city.zones.empty() && left < negligible;
+    left -= island.ends;
+    if (few_trips && listed++ < kMostListed) {
+      left_out += "  dropped, zones on an island of few trips: " + summary(island, zones);
+    } else {
+      Island& into = few_trips ? others : city;
+      into.zones.insert(into.zones.end(), island.zones.begin(), island.zones.end());
+      into.ends += island.ends;
+    }
+  }
+  left_out += others.zones.empty() ? "" : "  dropped, zones on more such islands: " + summary(others, zones);
+  std::sort(city.zones.begin(), city.zones.end());
+  return city.zones;
 }
 
 std::vector<int> zones_apart(const std::vector<Zone>& zones, const CityNotes& notes) {
@@ -101,22 +163,18 @@ MergedZones merge_zones(const std::vector<Zone>& zones, const ZoneWeights& weigh
                         int regions) {
   const std::vector<int> apart = zones_apart(zones, notes);
   const auto neighbours = neighbours_of(zones);
-  const auto in_city = zones_in_city(zones, weights, notes.reach_km, neighbours, apart);
-  std::vector<int> chosen;
-  for (std::size_t z = 0; z < zones.size(); ++z) {
-    if (in_city[z]) {
-      chosen.push_back(static_cast<int>(z));
-    }
-  }
+  std::string left_out;
+  const std::vector<int> chosen = zones_in_city(zones, weights, notes.reach_km, neighbours, apart, left_out);
   const int parts = regions - static_cast<int>(apart.size());
   if (parts < 1 || static_cast<int>(chosen.size()) < parts) {
     throw bad_input("cannot make " + std::to_string(regions) + " regions, " + std::to_string(apart.size()) +
                     " of them apart, of " + std::to_string(chosen.size()) + " zones within reach");
   }
-  const ZoneGraph graph = graph_of(zones, weights.pickups, weights.mean_pickup, chosen, neighbours);
+  ZoneGraph graph = graph_of(zones, weights.pickups, weights.mean_pickup, chosen, neighbours);
+  connect_nearest(graph.centre, graph.neighbours);
   const std::vector<int> part = north_to_south(graph, partition(graph, parts), parts);
 
-  MergedZones merged{std::vector<int>(zones.size(), -1), {}};
+  MergedZones merged{std::vector<int>(zones.size(), -1), {}, std::move(left_out)};
   for (std::size_t p = 0; p < chosen.size(); ++p) {
     merged.region_of[chosen[p]] = part[p];
   }
@@ -139,7 +197,7 @@ MergedZones merge_all_zones(const std::vector<Zone>& zones, int regions) {
   std::iota(all.begin(), all.end(), 0);
   ZoneGraph graph = graph_of(zones, weights, zones.front().centre, all, neighbours_of(zones));
   connect_nearest(graph.centre, graph.neighbours);
-  return {north_to_south(graph, partition(graph, regions), regions), numbered_names(regions)};
+  return {north_to_south(graph, partition(graph, regions), regions), numbered_names(regions), {}};
 }
 
 }  // namespace evbal

@@ -9,7 +9,8 @@ namespace evbal {
 
 /// What the first reading of the trips tells about the zones.
 struct ZoneWeights {
-  std::vector<double> pickups;  ///< by zone
+  std::vector<double> pickups;  ///< by zone, on training days
+  std::vector<double> ends;     ///< pick-ups and drop-offs by zone, on all days
   LatLon mean_pickup;           ///< of all pick-ups, around which zones are within reach
 };
 
@@ -17,10 +18,13 @@ struct ZoneWeights {
 struct MergedZones {
   std::vector<int> region_of;      ///< by zone, -1 where it belongs to none
   std::vector<std::string> names;  ///< by region
+  std::string left_out;            ///< which zones belong to none, with their trips; one item a line
 };
 
-/// Regions from north to south, then those apart. Zones count that lie within reach and are connected to the busiest
-/// one. Throws Error{bad_input} if that leaves too few zones, or if a place apart lies in none.
+/// Regions from north to south, then those apart. Zones count that lie within reach. Islands, which share no edge
+/// with the others, are joined to the nearest, the busiest first; the last that have less than a hundredth of the
+/// trip ends together are left out. Throws Error{bad_input} if that leaves too few zones, or if a place apart lies in
+/// none.
 MergedZones merge_zones(const std::vector<Zone>& zones, const ZoneWeights& weights, const CityNotes& notes,
                         int regions);
 

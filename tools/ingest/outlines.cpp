@@ -139,8 +139,7 @@ void start_at_junction(const Owners& owners, Ring& ring) {
 
 std::vector<LatLon> simplified(const Owners& owners, Ring ring, const LocalFrame& frame, double tolerance) {
   start_at_junction(owners, ring);
-  std::vector<LatLon> points;
-  std::transform(ring.begin(), ring.end(), std::back_inserter(points), point_of);
+  std::vector<LatLon> points = points_of(ring);
   const std::vector<LatLon> full = points;
   ring.push_back(ring.front());
   points.push_back(points.front());

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -138,29 +139,34 @@ std::vector<Zone> with_shared_borders(std::vector<Zone> zones, double tolerance_
 }
 
 void connect_nearest(const std::vector<LocalPoint>& centres, std::vector<std::vector<int>>& neighbours) {
-  const auto n = static_cast<int>(centres.size());
   const auto insert = [&](int at, int neighbour) {
     auto& list = neighbours[at];
     list.insert(std::lower_bound(list.begin(), list.end(), neighbour), neighbour);
   };
-  while (n > 0) {
-    const auto together = reachable(neighbours, 0, std::vector<bool>(centres.size(), true));
-    std::pair<int, int> nearest(-1, -1);
-    double least = 0.0;
+  const auto n = static_cast<int>(centres.size());
+  const std::vector<bool> all(centres.size(), true);
+  std::vector<bool> together(centres.size(), false);
+  std::vector<std::pair<double, int>> nearest(centres.size(), {std::numeric_limits<double>::infinity(), -1});
+  int next = 0;
+  while (next < n) {
+    // What hangs together with `next` joins those together, and may be nearer to the others than they were.
+    const auto joining = reachable(neighbours, next, all);
     for (int i = 0; i < n; ++i) {
-      for (int j = 0; together[i] && j < n; ++j) {
-        const double metres = distance(centres[i], centres[j]);
-        if (!together[j] && (nearest.first < 0 || metres < least)) {
-          nearest = {i, j};
-          least = metres;
-        }
+      for (int j = 0; joining[i] && !together[i] && j < n; ++j) {
+        nearest[j] = std::min(nearest[j], {distance(centres[i], centres[j]), i});
       }
     }
-    if (nearest.first < 0) {
-      return;
+    for (int i = 0; i < n; ++i) {
+      together[i] = together[i] || joining[i];
     }
-    insert(nearest.first, nearest.second);
-    insert(nearest.second, nearest.first);
+    next = n;
+    for (int j = 0; j < n; ++j) {
+      next = !together[j] && (next == n || nearest[j].first < nearest[next].first) ? j : next;
+    }
+    if (next < n) {
+      insert(next, nearest[next].second);
+      insert(nearest[next].second, next);
+    }
   }
 }
 

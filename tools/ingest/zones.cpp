@@ -17,7 +17,22 @@ constexpr double kMetresPerDegree = 111'195.0;  // of latitude, mean earth
 }  // namespace
 
 LatLon point_of(Corner corner) {
-  return {corner.lat / kPerDegree, corner.lon / kPerDegree};
+  return {corner.lat / kPerDegree, longitude_near(corner.lon / kPerDegree, 0.0)};
+}
+
+std::vector<LatLon> points_of(const std::vector<Corner>& ring) {
+  constexpr int kHalfTurn = 180'000'000;
+  const bool beyond = std::all_of(ring.begin(), ring.end(), [](Corner corner) { return corner.lon >= kHalfTurn; });
+  std::vector<LatLon> points;
+  points.reserve(ring.size());
+  for (const Corner corner : ring) {
+    points.push_back(point_of({corner.lat, beyond ? corner.lon - 2 * kHalfTurn : corner.lon}));
+  }
+  return points;
+}
+
+double longitude_near(double lon, double reference) {
+  return lon - reference > 180.0 ? lon - 360.0 : lon - reference < -180.0 ? lon + 360.0 : lon;
 }
 
 double signed_area(const std::vector<Corner>& ring) {
@@ -33,8 +48,9 @@ double signed_area(const std::vector<Corner>& ring) {
 void add_ring(Zone& zone, const std::vector<LatLon>& ring, bool hole) {
   std::vector<Corner> corners;
   for (const LatLon point : ring) {
+    const double lon = longitude_near(point.lon, ring.front().lon);
     const Corner corner{static_cast<int>(std::lround(point.lat * kPerDegree)),
-                        static_cast<int>(std::lround(point.lon * kPerDegree))};
+                        static_cast<int>(std::lround(lon * kPerDegree))};
     if (corners.empty() || corner != corners.back()) {
       corners.push_back(corner);
     }
@@ -71,17 +87,12 @@ void measure(Zone& zone) {
     }
   }
   const LatLon start = point_of(origin);
-  zone.centre = area > 0.0 ? LatLon{start.lat + lat / area, start.lon + lon / area} : start;
+  zone.centre = area > 0.0 ? LatLon{start.lat + lat / area, longitude_near(start.lon + lon / area, 0.0)} : start;
   zone.area_m2 = area * kMetresPerDegree * kMetresPerDegree * std::cos(start.lat * std::acos(-1.0) / 180.0);
 }
 
-std::vector<Zone> read_zones(const std::filesystem::path& file, const ZoneFields& fields) {
-  const bool shapefile = file.extension() == ".shp";
-  std::vector<Zone> zones = shapefile ? read_shapefile_zones(file, fields) : read_geojson_zones(file, fields);
-  if (zones.empty()) {
-    throw bad_input(file.string(), 0, "has no polygon");
-  }
-  return zones;
+ZoneFile read_zones(const std::filesystem::path& file, const ZoneFields& fields) {
+  return is_shapefile(file) ? read_shapefile_zones(file, fields) : read_geojson_zones(file, fields);
 }
 
 std::vector<Outline> outlines_of(const std::vector<Zone>& zones) {
@@ -90,8 +101,7 @@ std::vector<Outline> outlines_of(const std::vector<Zone>& zones) {
     Outline& outline = outlines.emplace_back();
     for (const auto& ring : zone.rings) {
       if (signed_area(ring) > 0.0) {
-        auto& points = outline.emplace_back();
-        std::transform(ring.begin(), ring.end(), std::back_inserter(points), point_of);
+        outline.push_back(points_of(ring));
       }
     }
   }

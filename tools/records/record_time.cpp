@@ -15,8 +15,8 @@ TimeForm read_time_form(YamlMap& map) {
 }
 
 std::string_view example_of(TimeForm form) {
-  return form == TimeForm::unix_seconds ? "seconds since 1970 such as 1211095865"
-                                        : "a time written as 2008-05-18 07:31:05";
+  return form == TimeForm::unix_seconds ? "number of seconds since 1970, such as 1211095865"
+                                        : "time written as 2008-05-18 07:31:05";
 }
 
 const char* read_record_time(std::string_view text, TimeForm form, const LocalClock& clock, long long after,

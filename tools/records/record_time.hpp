@@ -16,7 +16,7 @@ enum class TimeForm {
 /// Reads the key `time`: unix, utc or local.
 TimeForm read_time_form(YamlMap& map);
 
-/// What a time of this form looks like, for messages.
+/// What a time of this form is, for messages: "time written as 2008-05-18 07:31:05".
 std::string_view example_of(TimeForm form);
 
 /// The reason under which rows are counted that tell a local time which clocks never showed.

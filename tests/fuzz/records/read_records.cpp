@@ -71,8 +71,8 @@ void read_shapefile(std::string_view bytes) {
 }
 
 void read_geojson(std::string_view bytes) {
-  const auto zones = read_bordering_zones(write("zones.geojson", bytes), {"id", "weight"});
-  partition_zones(zones, (static_cast<int>(zones.size()) + 1) / 2);
+  const auto file = read_bordering_zones(write("zones.geojson", bytes), {"id", "weight"});
+  partition_zones(file, (static_cast<int>(file.zones.size()) + 1) / 2);
 }
 
 void read_stations_table(std::string_view bytes) {
@@ -89,7 +89,7 @@ void read_trip_table(std::string_view bytes) {
   CityNotes notes;
   notes.city.days = {"2008-05-18"};
   write("trips/trips.csv", bytes);
-  for_each_trip(folder() / "trips", own_trip_format(), {}, notes, [](const Trip&) {});
+  for_each_trip(folder() / "trips", own_trip_format(), {}, notes, [](const Trip&) -> std::string_view { return {}; });
 }
 
 void read_trips_by_zone(std::string_view bytes) {
@@ -99,12 +99,13 @@ void read_trips_by_zone(std::string_view bytes) {
   static const std::vector<Zone> zones =
       read_zones(write("zones.geojson", R"({"features": [{"properties": {"id": 1}, "geometry": {"type": "Polygon",)"
                                         R"( "coordinates": [[[114, 22], [114.1, 22], [114, 22.1], [114, 22]]]}}]})"),
-                 {.name = "id", .weight = {}});
+                 {.name = "id", .weight = {}})
+          .zones;
   CityNotes notes;
   notes.city.days = {"2008-11-02"};
   notes.clock = LocalClock(-420, {{1225616400, -480}});
   write("trips/trips.csv", bytes);
-  for_each_trip(folder() / "trips", format, zones, notes, [](const Trip&) {});
+  for_each_trip(folder() / "trips", format, zones, notes, [](const Trip&) -> std::string_view { return {}; });
 }
 
 void read_session_table(std::string_view bytes) {
