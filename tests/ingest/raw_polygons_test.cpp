@@ -105,6 +105,12 @@ TEST(RawPolygons, AreNamedByTheirNumberWhereTheyLackAField) {
   EXPECT_EQ(read(with("null"), {}).zones[7].name, "7") << "nothing is asked for";
 }
 
+TEST(RawPolygons, MayHaveAnIdOfTheirOwn) {
+  std::string own = feature("{}", polygon(square(0)));
+  own.insert(1, R"("id": 100000.0, )");
+  EXPECT_EQ(read(collection({own}), {"id", ""}).zones[0].name, "100000");
+}
+
 TEST(RawPolygons, OfOneNameAreOneZone) {
   auto all = features();
   all[10] = feature(named("1"), polygon(square(10)));

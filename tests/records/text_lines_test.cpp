@@ -66,5 +66,19 @@ TEST(LineReader, RefusesWhatHasNoLines) {
   EXPECT_THROW(lines.next(line), Error);
 }
 
+TEST(TextFiles, AreThoseOfAnyCaseAndCompression) {
+  const Folder folder;
+  for (const std::string name :
+       {"b.CSV", "a.csv", "c.csv.gz", "d.txt.XZ", "e.csv.bz2", "f.Csv.zst", "g.parquet", "h.gz"}) {
+    folder.write(name, "");
+  }
+  std::string names;
+  for (const auto& file : text_files(folder.path())) {
+    names += file.filename().string() + " ";
+  }
+  EXPECT_EQ(names, "a.csv b.CSV c.csv.gz d.txt.XZ e.csv.bz2 f.Csv.zst ");
+  EXPECT_EQ(csv_files(folder.path()).size(), 5U);
+}
+
 }  // namespace
 }  // namespace evbal

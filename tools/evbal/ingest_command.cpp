@@ -93,7 +93,7 @@ void add_trips(CLI::App& ingest) {
   const auto arguments = std::make_shared<Arguments>();
   TripSources& sources = arguments->sources;
   CLI::App* command = ingest.add_subcommand("trips", "Make a city of trip records and polygons");
-  command->add_option("--trips", sources.trips, "Folder of trip tables, .csv or .txt, plain, .gz or .xz")->required();
+  command->add_option("--trips", sources.trips, "Folder of trip tables, .csv or .txt, plain or compressed")->required();
   command->add_option("--format", sources.format,
                       "YAML of where their columns are and what they mean; without it, as `ingest gps` writes them");
   command->add_option("--zones", sources.zones, "Polygons to merge: GeoJSON, plain or compressed, or a shapefile")
@@ -126,7 +126,8 @@ void add_partition(CLI::App& ingest) {
   command->add_option("--zones", arguments->zones, "Polygons: GeoJSON, plain or .gz, or a shapefile")->required();
   command->add_option("--regions", arguments->regions, "Number of regions")->required()->check(CLI::Range(1, 5000));
   command->add_option("--weight", arguments->fields.weight, "Field of the polygons that is balanced; else their area");
-  command->add_option("--name", arguments->fields.name, "Field that names them in zones.csv; else their position");
+  command->add_option("--name", arguments->fields.name,
+                      "Field that names them, those of one name as one; else their position");
   command->add_option("--out", arguments->out, "New folder for regions.geojson and zones.csv")->required();
   command->callback([arguments] {
     NewFolder folder(arguments->out);
@@ -189,7 +190,7 @@ void add_gps(CLI::App& ingest) {
   const auto arguments = std::make_shared<Arguments>();
   GpsSources& sources = arguments->sources;
   CLI::App* command = ingest.add_subcommand("gps", "Make trips, charging stops and transitions of GPS fixes");
-  command->add_option("--gps", sources.gps, "Folder of tables of fixes, .csv or .txt, plain, .gz or .xz")->required();
+  command->add_option("--gps", sources.gps, "Folder of tables of fixes, .csv or .txt, plain or compressed")->required();
   command->add_option("--format", sources.format, "YAML of where their columns are and what they mean")->required();
   command->add_option("--regions", sources.regions, "regions.geojson: for transitions between regions");
   command->add_option("--stations", sources.stations, "YAML with a list `stations`: for charging stops");

@@ -62,7 +62,7 @@ RowFault FixRows::read(const RawTable& row, Fix& fix) const {
 
 std::string vehicle_of(const std::filesystem::path& file, const GpsFormat& format) {
   std::string name = file.filename().string();
-  for (const std::string packed : {".gz", ".xz"}) {
+  for (const std::string packed : {".gz", ".xz", ".bz2", ".zst"}) {
     if (name.ends_with(packed)) {
       name.resize(name.size() - packed.size());
       break;

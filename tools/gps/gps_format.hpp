@@ -24,7 +24,7 @@ struct GpsFormat {
   TableFormat table;                            ///< separator, header and columns
   std::optional<std::size_t> vehicle;           ///< column; if there is none, the file's name holds the vehicle
   std::string file_prefix;                      ///< what stands before the vehicle in the file's name
-  std::string file_suffix;                      ///< what stands after it, without .gz or .xz
+  std::string file_suffix;                      ///< what stands after it, without the ending of a compression
   std::size_t time = 0;                         ///< column
   std::size_t lat = 0;                          ///< column
   std::size_t lon = 0;                          ///< column

@@ -10,7 +10,7 @@ namespace evbal {
 
 /// What ingest_gps reads.
 struct GpsSources {
-  std::filesystem::path gps;       ///< folder of tables of fixes, .csv or .txt, plain, .gz or .xz
+  std::filesystem::path gps;       ///< folder of tables of fixes, .csv or .txt, plain or compressed
   std::filesystem::path format;    ///< YAML (read_gps_format)
   std::filesystem::path regions;   ///< regions.geojson; empty: no transitions
   std::filesystem::path stations;  ///< YAML with a list `stations`, with `regions` only; empty: no charging stops

@@ -181,7 +181,7 @@ class FeatureReader {
     if (!value.is_number()) {
       throw Complaint("its name " + value.dump() + " is neither text nor a number");
     }
-    const std::string digits = value.dump();
+    const std::string digits = value.is_number_float() ? decimal(value.get<double>()) : value.dump();
     return whole_number(digits).value_or(digits);
   }
 
@@ -199,9 +199,10 @@ class FeatureReader {
     return number;
   }
 
-  /// A property that the feature must have.
+  /// A property that the feature must have; `id` may be its own.
   static const json& field(const json& feature, const std::string& name) {
-    const json& value = member(member(feature, "properties"), name);
+    const json& property = member(member(feature, "properties"), name);
+    const json& value = property.is_null() && name == "id" ? member(feature, "id") : property;
     if (value.is_null() || (value.is_string() && trimmed_id(value.get_ref<const std::string&>()).empty())) {
       throw Complaint("has no property `" + name + "`");
     }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <string_view>
 
 namespace evbal {
@@ -112,6 +113,20 @@ std::string unpacked_text(const std::filesystem::path& file) {
 
 namespace {
 
+/// The ending of a file's name in small letters, without that of a compression.
+std::string unpacked_ending(std::filesystem::path file) {
+  const auto ending = [&] {
+    std::string text = file.extension().string();
+    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+    return text;
+  };
+  const std::string last = ending();
+  if (last == ".gz" || last == ".xz" || last == ".bz2" || last == ".zst") {
+    file.replace_extension();
+  }
+  return ending();
+}
+
 /// The files of a folder with one of these endings, plain or compressed, by name.
 std::vector<std::filesystem::path> files_of(const std::filesystem::path& folder,
                                             const std::vector<std::string>& kinds) {
@@ -120,16 +135,14 @@ std::vector<std::filesystem::path> files_of(const std::filesystem::path& folder,
   }
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (std::any_of(kinds.begin(), kinds.end(), [&](const std::string& kind) {
-          return name.ends_with(kind) || name.ends_with(kind + ".gz") || name.ends_with(kind + ".xz");
-        })) {
+    const std::string kind = unpacked_ending(entry.path());
+    if (std::find(kinds.begin(), kinds.end(), kind) != kinds.end()) {
       files.push_back(entry.path());
     }
   }
   if (files.empty()) {
     throw bad_input(folder.string(), 0,
-                    "has no " + kinds.front() + ", " + kinds.front() + ".gz or " + kinds.front() + ".xz file");
+                    "has no file that ends in " + kinds.front() + ", plain or .gz, .xz, .bz2 or .zst");
   }
   std::sort(files.begin(), files.end());
   return files;

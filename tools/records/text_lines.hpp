@@ -44,7 +44,7 @@ class LineReader {
 /// A whole file, plain or compressed.
 std::string unpacked_text(const std::filesystem::path& file);
 
-/// The files of a folder whose name ends in one of .csv, .csv.gz, .csv.xz, by name. Throws Error{bad_input} if there
+/// The files of a folder that end in .csv, in any case, plain or compressed, by name. Throws Error{bad_input} if there
 /// are none.
 std::vector<std::filesystem::path> csv_files(const std::filesystem::path& folder);
 

@@ -10,6 +10,7 @@
 #include "tools/gps/ingest_gps.hpp"
 #include "tools/ingest/ingest_partition.hpp"
 #include "tools/ingest/ingest_stations.hpp"
+#include "tools/ingest/projection.hpp"
 #include "tools/ingest/sessions.hpp"
 #include "tools/ingest/trips.hpp"
 
@@ -113,6 +114,12 @@ void read_session_table(std::string_view bytes) {
   read_sessions(folder() / "sessions", dundee_session_format(), {"Rapid", 1.0, 100.0});
 }
 
+void read_projection(std::string_view bytes) {
+  const Projection projection{std::string(bytes)};
+  projection.place(9.7, 52.3);
+  projection.place(980'000.0, 190'000.0);
+}
+
 void read_pack_files(std::string_view bytes) {
   read_regions(write("pack.geojson", bytes));
 }
@@ -124,7 +131,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace evbal;
   static constexpr void (*readers[])(std::string_view){
       read_gps,        read_local_gps,     read_shapefile,  read_geojson,       read_stations_table,
-      read_trip_table, read_session_table, read_pack_files, read_trips_by_zone, read_transition_table};
+      read_trip_table, read_session_table, read_pack_files, read_trips_by_zone, read_transition_table,
+      read_projection};
   if (size == 0) {
     return 0;
   }
