@@ -1,6 +1,7 @@
 // Other programs have UDP ports that a run would take.
 
 #include "agents/bus/ports.hpp"
+
 #include "common/error.hpp"
 #include "common/installation.hpp"
 #include "experiments/conductor/dds_players.hpp"
@@ -36,7 +37,7 @@ TEST(Ports, OfADomainInUseAreLeftToTheOthers) {
   const int next = DomainLock(6).domain();
   const HeldPorts held(discovery_port(next, 0), 4);
   DdsPlayers players(run_in(folder.path()));
-  EXPECT_GT(domain_of(folder.path()), next);
+  EXPECT_NE(domain_of(folder.path()), next);  // perhaps one before it, which another run has just left
   EXPECT_EQ(players.play(fake::tick(0, 3)).departures.size(), 3U);
 }
 
@@ -45,7 +46,8 @@ TEST(Ports, OfThreeDomainsInUseAreLeftToTheOthers) {
   const int next = DomainLock(6).domain();
   const HeldPorts held(discovery_port(next, 0), 3 * ports_of_a_domain);
   DdsPlayers players(run_in(folder.path()));
-  EXPECT_GE(domain_of(folder.path()), next + 3);
+  const int domain = domain_of(folder.path());
+  EXPECT_TRUE(domain < next || domain >= next + 3) << domain;
   EXPECT_EQ(players.play(fake::tick(0, 3)).departures.size(), 3U);
 }
 
