@@ -239,6 +239,12 @@ TEST(RawPolygons, MayCross180) {
   EXPECT_NEAR(std::abs(file.zones[0].centre.lon), 180.0, 1e-6);
 }
 
+TEST(RawPolygons, WhoseBorderCrossesItselfAreTold) {
+  auto all = features();
+  all[5] = feature(named("6"), polygon("[[[9.72,52.355],[9.74,52.37],[9.74,52.355],[9.72,52.37],[9.72,52.355]]]"));
+  expect_in_report(read(collection(all)), "without area, since their border crosses itself: 1 (first: `6`)");
+}
+
 TEST(RawPolygons, AreRefusedWithWhatIsWrong) {
   const std::string whole = collection(features());
   expect_refused(whole.substr(0, 1500), ": is no GeoJSON: it breaks off; is the file truncated?");

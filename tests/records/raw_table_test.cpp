@@ -60,7 +60,8 @@ TEST(RawTable, SaysWhereTheHeaderIs) {
   EXPECT_NE(said.find("named in line 5: give `skip_rows`"), std::string::npos) << said;
   EXPECT_EQ(rows("skip_rows: 4\nfirst: a\nsecond: b\n", table), Rows{"1|2"});
   EXPECT_EQ(rows("skip_rows: 5\nheader: false\nfirst: 1\nsecond: 2\n", table), Rows{"1|2"});
-  EXPECT_NE(refusal("first: a\nsecond: b\n", "a;b\n1;2\n").find("it has `a;b`"), std::string::npos);
+  EXPECT_NE(refusal("first: a\nsecond: b\n", "a;b\n1;2\n").find("it has `a;b`; what is its `separator`?"),
+            std::string::npos);
 }
 
 TEST(RawTable, RefusesAColumnThatIsNamedTwice) {

@@ -97,12 +97,21 @@ ZoneFile ZoneCollector::finish() {
     throw bad_input(file_, 0, "has no polygon");
   }
   cross_180();
+  std::size_t crossed = 0;
+  std::string first_crossed;
   for (std::size_t z = 0; z < zones_.size(); ++z) {
     measure(zones_[z]);
+    if (zones_[z].area_m2 <= 0.0) {
+      first_crossed = crossed++ > 0 ? first_crossed : shown(zones_[z].name);
+    }
     const auto& weights = weights_[z];
     zones_[z].weight = weights ? weights->of_each.value_or(weights->sum) : zones_[z].area_m2;
   }
   std::string lines = report();
+  if (crossed > 0) {
+    lines += "  without area, since their border crosses itself: " + std::to_string(crossed) +
+             " (first: " + first_crossed + ")\n";
+  }
   return {std::move(zones_), std::move(lines)};
 }
 

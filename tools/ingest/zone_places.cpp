@@ -33,39 +33,40 @@ bool within(const Zone& zone, Corner at) {
   return turns != 0;
 }
 
-/// One of the outer rings, by their areas.
-const std::vector<Corner>& drawn_ring(const Zone& zone, RandomStream& random) {
-  std::vector<const std::vector<Corner>*> outer;
-  std::vector<double> up_to;  // sums of areas
-  for (const auto& ring : zone.rings) {
-    if (signed_area(ring) > 0.0) {
-      outer.push_back(&ring);
-      up_to.push_back(signed_area(ring) + (up_to.empty() ? 0.0 : up_to.back()));
-    }
-  }
-  if (outer.size() < 2) {
-    return outer.empty() ? zone.rings.front() : *outer.front();
-  }
-  const double drawn = random.uniform(0.0, up_to.back());
-  const auto found = std::upper_bound(up_to.begin(), std::prev(up_to.end()), drawn);
-  return *outer[static_cast<std::size_t>(found - up_to.begin())];
-}
-
 }  // namespace
 
 ZonePlaces::ZonePlaces(const std::vector<Zone>& zones, char decimal) : decimal_(decimal) {
+  shapes_.reserve(zones.size());
   for (const Zone& zone : zones) {
-    zones_.emplace(zone.name, &zone);
+    const Shape& shape = shapes_.emplace_back(shape_of(zone));
+    names_.emplace(zone.name, &shape);
     if (const auto number = whole_number(zone.name)) {
-      const auto [known, is_new] = numbers_.emplace(*number, &zone);
-      known->second = is_new ? &zone : nullptr;
+      const auto [known, is_new] = numbers_.emplace(*number, &shape);
+      known->second = is_new ? &shape : nullptr;
     }
   }
 }
 
-const Zone* ZonePlaces::zone_of(std::string_view name) const {
-  const auto exact = zones_.find(name);
-  if (exact != zones_.end()) {
+ZonePlaces::Shape ZonePlaces::shape_of(const Zone& zone) {
+  Shape shape{&zone, {}};
+  double areas = 0.0;
+  for (const auto& ring : zone.rings) {
+    // A border that crosses itself may have no area; the zone's only ring counts in any case.
+    if (signed_area(ring) > 0.0 || zone.rings.size() == 1) {
+      Part part{&ring, ring.front(), ring.front(), areas += signed_area(ring)};
+      for (const Corner& corner : ring) {
+        part.low = {std::min(part.low.lat, corner.lat), std::min(part.low.lon, corner.lon)};
+        part.high = {std::max(part.high.lat, corner.lat), std::max(part.high.lon, corner.lon)};
+      }
+      shape.parts.push_back(part);
+    }
+  }
+  return shape;
+}
+
+const ZonePlaces::Shape* ZonePlaces::shape_named(std::string_view name) const {
+  const auto exact = names_.find(name);
+  if (exact != names_.end()) {
     return exact->second;
   }
   const auto number = whole_number(name, decimal_);
@@ -74,26 +75,28 @@ const Zone* ZonePlaces::zone_of(std::string_view name) const {
 }
 
 std::optional<LatLon> ZonePlaces::place(std::string_view name, std::uint64_t draw) const {
-  const Zone* zone = zone_of(name);
-  if (zone == nullptr) {
+  const Shape* shape = shape_named(name);
+  if (shape == nullptr) {
     return std::nullopt;
   }
+  if (shape->parts.empty()) {
+    return shape->zone->centre;
+  }
   RandomStream random(0, Purpose::trip_end, {.index = draw});
-  const auto& ring = drawn_ring(*zone, random);
-  Corner low = ring.front();
-  Corner high = low;
-  for (const Corner& corner : ring) {
-    low = {std::min(low.lat, corner.lat), std::min(low.lon, corner.lon)};
-    high = {std::max(high.lat, corner.lat), std::max(high.lon, corner.lon)};
+  auto part = shape->parts.begin();
+  if (shape->parts.size() > 1) {
+    const double drawn = random.uniform(0.0, shape->parts.back().areas);
+    part = std::upper_bound(part, std::prev(shape->parts.end()), drawn,
+                            [](double area, const Part& other) { return area < other.areas; });
   }
   for (int tries = 0; tries < kMostTries; ++tries) {
-    const Corner corner{static_cast<int>(random.uniform(low.lat, high.lat)),
-                        static_cast<int>(random.uniform(low.lon, high.lon))};
-    if (turns_around(ring, corner) != 0 && within(*zone, corner)) {
+    const Corner corner{static_cast<int>(random.uniform(part->low.lat, part->high.lat)),
+                        static_cast<int>(random.uniform(part->low.lon, part->high.lon))};
+    if (turns_around(*part->ring, corner) != 0 && within(*shape->zone, corner)) {
       return point_of(corner);
     }
   }
-  return zone->centre;
+  return shape->zone->centre;
 }
 
 }  // namespace evbal

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace evbal {
 
@@ -21,10 +22,24 @@ class ZonePlaces {
   std::optional<LatLon> place(std::string_view name, std::uint64_t draw) const;
 
  private:
-  const Zone* zone_of(std::string_view name) const;
+  /// An outer ring of a zone.
+  struct Part {
+    const std::vector<Corner>* ring;
+    Corner low;          ///< of its box
+    Corner high;         ///< of its box
+    double areas = 0.0;  ///< of the zone's parts up to this one
+  };
+  struct Shape {
+    const Zone* zone;
+    std::vector<Part> parts;
+  };
 
-  std::map<std::string, const Zone*, std::less<>> zones_;
-  std::map<std::string, const Zone*> numbers_;  ///< null: several zones have the number
+  static Shape shape_of(const Zone& zone);
+  const Shape* shape_named(std::string_view name) const;
+
+  std::vector<Shape> shapes_;
+  std::map<std::string, const Shape*, std::less<>> names_;
+  std::map<std::string, const Shape*> numbers_;  ///< null: several zones have the number
   char decimal_;
 };
 

@@ -89,8 +89,10 @@ Error RawTable::header_error(const std::string& column) {
   for (const auto& name : names) {
     all += (all.empty() ? "" : ", ") + name;
   }
-  const Error at_header = error("has no column `" + column + "`" + did_you_mean(column, names) + "; it has " +
-                                shown(all) + "; is the description of this table?");
+  const bool one = names.size() == 1 && all.find_first_of(",;\t") != std::string::npos;
+  const Error at_header =
+      error("has no column `" + column + "`" + did_you_mean(column, names) + "; it has " + shown(all) +
+            (one ? "; what is its `separator`?" : "; is the description of this table?"));
   for (int row = 0; row < kLongestPreamble && rows_.next(); ++row) {
     const auto places = places_in_row();
     if (std::none_of(places.begin(), places.end(), [&](std::size_t p) { return p == rows_.fields().size(); })) {
