@@ -155,6 +155,9 @@ TEST_F(IngestTrips, RefusesWhatIsNoInput) {
   sources_.regions = 60;
   expect_refused("cannot make 60 regions");
   expect_refused("on another day: 2 (first: ");
+  folder_.write("notes.yaml", std::string(kNotes).replace(kNotes.find("reach_km: 11"), 12, "reach_km: 2 "));
+  expect_refused("dropped, zones out of reach: ");
+  folder_.write("notes.yaml", kNotes);
   sources_.regions = 6;
   folder_.write("notes.yaml", kNotes + "more: 1\n");
   expect_refused("notes.yaml:15: unknown key `more`");

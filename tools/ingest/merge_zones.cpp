@@ -47,12 +47,9 @@ std::string summary(const Island& group, const std::vector<Zone>& zones) {
          "), trip ends: " + decimal(group.ends) + "\n";
 }
 
-/// The zones to merge, ascending; `left_out` tells of the others.
-std::vector<int> zones_in_city(const std::vector<Zone>& zones, const ZoneWeights& weights, double reach_km,
-                               const std::vector<std::vector<int>>& neighbours, const std::vector<int>& apart,
-                               std::string& left_out) {
-  constexpr double kNegligible = 0.01;     // of the trip ends
-  constexpr std::size_t kMostListed = 10;  // islands
+/// The zones within reach that are not apart; `left_out` tells of the others.
+std::vector<bool> zones_near(const std::vector<Zone>& zones, const ZoneWeights& weights, double reach_km,
+                             const std::vector<int>& apart, std::string& left_out) {
   const LocalFrame frame(weights.mean_pickup);
   std::vector<bool> near;
   Island far;
@@ -64,28 +61,37 @@ std::vector<int> zones_in_city(const std::vector<Zone>& zones, const ZoneWeights
       far.ends += weights.ends[z];
     }
   }
-  left_out = far.zones.empty() ? "" : "  dropped, zones out of reach: " + summary(far, zones);
-  const auto islands = islands_of(weights, neighbours, near);
-  double left = std::accumulate(islands.begin(), islands.end(), 0.0,
-                                [](double sum, const Island& island) { return sum + island.ends; });
+  left_out += far.zones.empty() ? "" : "  dropped, zones out of reach: " + summary(far, zones);
+  return near;
+}
+
+/// The zones of the islands that count, ascending; `left_out` tells of the others.
+std::vector<int> zones_in_city(const std::vector<Zone>& zones, const std::vector<Island>& islands,
+                               std::string& left_out) {
+  constexpr double kNegligible = 0.01;     // of the trip ends
+  constexpr std::size_t kMostListed = 10;  // islands
+  double left = 0.0;
+  for (const Island& island : islands) {
+    left += island.ends;
+  }
   const double negligible = kNegligible * left;
-  Island city;
+  std::vector<int> city;
   std::size_t listed = 0;
   Island others;  // beyond the list
   for (const Island& island : islands) {
-    const bool few_trips = !city.zones.empty() && left < negligible;
-    left -= island.ends;
-    if (few_trips && listed++ < kMostListed) {
+    if (city.empty() || left >= negligible) {
+      city.insert(city.end(), island.zones.begin(), island.zones.end());
+    } else if (listed++ < kMostListed) {
       left_out += "  dropped, zones on an island of few trips: " + summary(island, zones);
     } else {
-      Island& into = few_trips ? others : city;
-      into.zones.insert(into.zones.end(), island.zones.begin(), island.zones.end());
-      into.ends += island.ends;
+      others.zones.insert(others.zones.end(), island.zones.begin(), island.zones.end());
+      others.ends += island.ends;
     }
+    left -= island.ends;
   }
   left_out += others.zones.empty() ? "" : "  dropped, zones on more such islands: " + summary(others, zones);
-  std::sort(city.zones.begin(), city.zones.end());
-  return city.zones;
+  std::sort(city.begin(), city.end());
+  return city;
 }
 
 std::vector<int> zones_apart(const std::vector<Zone>& zones, const CityNotes& notes) {
@@ -164,11 +170,13 @@ MergedZones merge_zones(const std::vector<Zone>& zones, const ZoneWeights& weigh
   const std::vector<int> apart = zones_apart(zones, notes);
   const auto neighbours = neighbours_of(zones);
   std::string left_out;
-  const std::vector<int> chosen = zones_in_city(zones, weights, notes.reach_km, neighbours, apart, left_out);
+  const auto near = zones_near(zones, weights, notes.reach_km, apart, left_out);
+  const std::vector<int> chosen = zones_in_city(zones, islands_of(weights, neighbours, near), left_out);
   const int parts = regions - static_cast<int>(apart.size());
   if (parts < 1 || static_cast<int>(chosen.size()) < parts) {
-    throw bad_input("cannot make " + std::to_string(regions) + " regions, " + std::to_string(apart.size()) +
-                    " of them apart, of " + std::to_string(chosen.size()) + " zones within reach");
+    throw with_report(bad_input("cannot make " + std::to_string(regions) + " regions, " + std::to_string(apart.size()) +
+                                " of them apart, of " + std::to_string(chosen.size()) + " zones within reach"),
+                      left_out);
   }
   ZoneGraph graph = graph_of(zones, weights.pickups, weights.mean_pickup, chosen, neighbours);
   connect_nearest(graph.centre, graph.neighbours);
