@@ -96,6 +96,30 @@ TEST_F(IngestOd, BalancesPickUps) {
   EXPECT_EQ(first, 40.0);
 }
 
+TEST_F(IngestOd, SaysWhatItDropsAndTakesFloats) {
+  folder_.write(
+      "trips.csv",
+      "r1,c1,r2,c2,n\n0,0,0,1,30.0\n0.0,1.0,0,2,20\n0,2,0,3,\n0,2,0,3,2.5\n0,z,0,3,1\n0,0,90000,0,1\n0,3,\"0,0,1\n"
+      "0,3,0,0,20\n0,0,0,9,7\n");
+  const std::string report = ingest_od(sources_).report;
+  for (const std::string line :
+       {"trip rows read: 9", "`n` is no number of trips, 1 to 1000000: 2 (first: ", "trips.csv:4: ``)",
+        "`c1` is no number: 1 (first: ", "trips.csv:6: `z`)",
+        "a cell that is not on the earth: 1 (first: ", "trips.csv:7: `90000`)", "quotes that do not pair: 1 (first: ",
+        "trips.csv:8: ", "an end outside the zones: 7 (first: 22.505, 114.095)", "trips used: 70"}) {
+    EXPECT_NE(report.find(line), std::string::npos) << line << " not in\n" << report;
+  }
+  folder_.write("trips.csv", "r1,c1,r2,c2,n\nx,0,0,1,30\n");
+  try {
+    ingest_od(sources_);
+    FAIL() << "was accepted";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("trips.csv:2: `r1` is no number: `x`; none of 1 rows can be read"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
 TEST_F(IngestOd, RefusesWhatIsNoInput) {
   folder_.write("trips.csv", "r1,c1,r2,c2,n\n0,0,0,9,7\n");
   EXPECT_THROW(ingest_od(sources_), Error);

@@ -49,7 +49,8 @@ RowFault FixRows::read(const RawTable& row, Fix& fix) const {
   }
   const std::string_view time = row.text(format_.time);
   const TimeForm form = format_.time_form == TimeForm::local ? TimeForm::utc : format_.time_form;
-  if (read_record_time(time, form, format_.clock, std::numeric_limits<long long>::min(), fix.time)) {
+  if (read_record_time(time, form, format_.clock, std::numeric_limits<long long>::min(), fix.time) !=
+      TimeReading::done) {
     return {unreadable_time(time, form), time};
   }
   fix.place = {*lat, *lon};

@@ -101,7 +101,8 @@ std::vector<int> zones_apart(const std::vector<Zone>& zones, const CityNotes& no
   for (const auto& place : notes.apart) {
     const auto zone = map.containing(place.place);
     if (!zone) {
-      throw bad_input("place apart `" + place.name + "` lies in no zone");
+      throw bad_input("place apart `" + place.name + "`, at " + decimal(place.place.lat) + ", " +
+                      decimal(place.place.lon) + ", lies in no zone");
     }
     apart.push_back(*zone);
   }

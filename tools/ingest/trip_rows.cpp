@@ -23,11 +23,15 @@ TripEndColumns::TripEndColumns(const TripFormat& format, const TripFormat::End& 
 RowFault TripEndColumns::read_time(const RawTable& table, const LocalClock& clock, long long after,
                                    long long& time) const {
   const std::string_view text = table.text(end_.time);
-  const char* reason = read_record_time(text, format_.time_form, clock, after, time);
-  if (reason == nullptr) {
-    return {};
+  switch (read_record_time(text, format_.time_form, clock, after, time)) {
+    case TimeReading::done:
+      return {};
+    case TimeReading::unreadable:
+      return {no_time_, text};
+    case TimeReading::skipped:
+      return {skipped_time, text, false};
   }
-  return reason == std::string_view(malformed_row) ? RowFault{no_time_, text} : RowFault{reason, text, false};
+  return {};
 }
 
 RowFault TripEndColumns::read_place(const RawTable& table, const ZonePlaces& zones, std::uint64_t draw,

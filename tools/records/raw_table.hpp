@@ -29,9 +29,6 @@ TableFormat read_table_format(YamlMap& map);
 /// for.
 std::size_t add_column(TableFormat& format, const YamlValue& value);
 
-/// The reason under which rows are counted that lack fields or whose fields cannot be read.
-inline constexpr const char* malformed_row = "malformed row";
-
 /// Why a row does not count.
 struct RowFault {
   std::string_view reason;  ///< under which it is counted; empty: it has no fault

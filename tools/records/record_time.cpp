@@ -1,7 +1,6 @@
 #include "tools/records/record_time.hpp"
 
 #include "agents/world/pack_table.hpp"
-#include "tools/records/raw_table.hpp"
 
 namespace evbal {
 namespace {
@@ -19,22 +18,22 @@ std::string_view example_of(TimeForm form) {
                                         : "time written as 2008-05-18 07:31:05";
 }
 
-const char* read_record_time(std::string_view text, TimeForm form, const LocalClock& clock, long long after,
+TimeReading read_record_time(std::string_view text, TimeForm form, const LocalClock& clock, long long after,
                              long long& time) {
   const auto shown = form == TimeForm::unix_seconds ? parse_integer(text) : parse_time(text);
   if (!shown || *shown < 0 || *shown > kLastSecond) {
-    return malformed_row;
+    return TimeReading::unreadable;
   }
   if (form != TimeForm::local) {
     time = *shown;
-    return nullptr;
+    return TimeReading::done;
   }
   const auto utc = clock.utc_after(*shown, after);
   if (!utc) {
-    return skipped_time;
+    return TimeReading::skipped;
   }
   time = *utc;
-  return nullptr;
+  return TimeReading::done;
 }
 
 }  // namespace evbal

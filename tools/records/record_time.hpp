@@ -22,9 +22,15 @@ std::string_view example_of(TimeForm form);
 /// The reason under which rows are counted that tell a local time which clocks never showed.
 inline constexpr const char* skipped_time = "at a local time that the clocks skipped";
 
-/// Puts UTC seconds into `time`; a local time that clocks show twice is the first one after `after`. Returns null, or
-/// the reason for which the row is dropped: malformed_row if it is no time, skipped_time.
-const char* read_record_time(std::string_view text, TimeForm form, const LocalClock& clock, long long after,
+/// How the reading of a time ended.
+enum class TimeReading {
+  done,
+  unreadable,  ///< it is no time of this form
+  skipped,     ///< clocks never showed it: skipped_time
+};
+
+/// Puts UTC seconds into `time`; a local time that clocks show twice is the first one after `after`.
+TimeReading read_record_time(std::string_view text, TimeForm form, const LocalClock& clock, long long after,
                              long long& time);
 
 }  // namespace evbal
