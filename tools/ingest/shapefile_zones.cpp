@@ -35,7 +35,7 @@ fs::path in_any_case(const fs::path& file) {
   std::error_code none;
   fs::path found;
   for (const auto& entry : fs::directory_iterator(folder, none)) {
-    const fs::path other = entry.path();
+    const fs::path& other = entry.path();
     if (other.stem() == file.stem() && same_but_for_case(other.extension().string(), file.extension().string()) &&
         (found.empty() || other < found)) {
       found = other;

@@ -41,14 +41,14 @@ void ZoneCollector::add(std::size_t position, Zone polygon, std::string name, st
   const auto [known, is_new] = by_name_.try_emplace(polygon.name, zones_.size());
   if (!is_new) {
     first_joined_ = joined_++ > 0 ? first_joined_ : kind_ + " " + std::to_string(position) + ": " + shown(polygon.name);
-    join(known->second, std::move(polygon), weight);
+    join(known->second, polygon, weight);
     return;
   }
   weights_.push_back(weight ? std::optional(Weights{*weight, weight}) : std::nullopt);
   zones_.push_back(std::move(polygon));
 }
 
-void ZoneCollector::join(std::size_t zone, Zone polygon, std::optional<double> weight) {
+void ZoneCollector::join(std::size_t zone, const Zone& polygon, std::optional<double> weight) {
   add_rings(zones_[zone], polygon.rings);
   if (weight) {
     Weights& weights = *weights_[zone];

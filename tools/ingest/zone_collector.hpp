@@ -36,7 +36,7 @@ class ZoneCollector {
     std::optional<double> of_each;  ///< if all polygons of the zone have the same
   };
 
-  void join(std::size_t zone, Zone polygon, std::optional<double> weight);
+  void join(std::size_t zone, const Zone& polygon, std::optional<double> weight);
   void cross_180();
   std::string report() const;
 
