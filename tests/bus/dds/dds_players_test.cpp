@@ -285,17 +285,18 @@ TEST_F(DdsPlayersTest, KilledLauncherLeavesNothing) {
 }
 
 TEST(DomainLock, GivesEachRunItsOwnPorts) {
-  const DomainLock first(60);
-  const DomainLock second(60);
+  constexpr int from = 60;  // where no other run of this machine comes
+  const DomainLock first(60, from);
+  const DomainLock second(60, from);
   EXPECT_NE(first.domain(), second.domain());
   int freed = 0;
   {
-    const DomainLock wide(500);  // reaches into the next domains
-    const DomainLock after(3);
+    const DomainLock wide(500, from);  // reaches into the next domains
+    const DomainLock after(3, from);
     freed = wide.domain();
     EXPECT_GT(discovery_port(after.domain(), 0), discovery_port(wide.domain(), 500));
   }
-  EXPECT_EQ(DomainLock(500).domain(), freed);
+  EXPECT_EQ(DomainLock(500, from).domain(), freed);
 }
 
 }  // namespace
