@@ -24,10 +24,11 @@ constexpr std::uint32_t answer_ns_apart = 1'000'000;  // to who says that someth
 constexpr int kept_samples = 16;                      // of reports and departures, for readers that are a little behind
 constexpr int unread_samples = 1 << 14;               // that a reader of many writers holds at most
 
-/// The number of the participant that wrote a sample. Fast DDS keeps it in the last four bytes of a GUID's prefix.
+/// The number of the participant that wrote a sample. Fast DDS keeps it in bytes 8 and 9 of a GUID's prefix; in the two
+/// that follow, version 3 counts the participants of that number that the process has had before.
 int number_of_writer(const dds::SampleInfo& info) {
   const auto& prefix = info.sample_identity.writer_guid().guidPrefix.value;
-  std::int32_t number = 0;
+  std::uint16_t number = 0;
   std::memcpy(&number, prefix + 8, sizeof number);
   return number;
 }
@@ -229,7 +230,7 @@ std::vector<Heard<Message>> Reader<Message>::take() {
     }
     const int from = number_of_writer(info);
     const std::string what = std::string(Topic<Message>::name) + " from participant " + std::to_string(from);
-    if (from < 0 || from >= address_.participants || !Topic<Message>::has_say(from)) {
+    if (from >= address_.participants || !Topic<Message>::has_say(from)) {
       ++refused_[what + ", who has no say there"];
     } else if (!sample.wrong.empty() && (sample.run.empty() || sample.run == address_.run)) {
       throw run_failed("a sample of " + what + " is no message: " + sample.wrong);
