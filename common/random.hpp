@@ -25,6 +25,7 @@ enum class Purpose : std::uint32_t {
   lost_sample = 15,        ///< what the network loses
   trip_end = 16,           ///< places of trip ends that are known by zone only
   lost_packet = 17,        ///< what the network loses below the middleware
+  thinned_count = 18,      ///< which of the trips on record a pack takes
 };
 
 /// The place of a draw: who draws, when, and for which of several like things.

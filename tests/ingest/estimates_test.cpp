@@ -3,6 +3,7 @@
 #include "tests/support/source_folder.hpp"
 #include "tools/ingest/sessions.hpp"
 #include "tools/ingest/stations.hpp"
+#include "tools/ingest/time_pattern.hpp"
 #include "tools/ingest/travel.hpp"
 
 #include <gtest/gtest.h>

@@ -7,6 +7,7 @@
 #include "common/files.hpp"
 #include "common/new_folder.hpp"
 #include "tools/gps/ingest_gps.hpp"
+#include "tools/ingest/ingest_counts.hpp"
 #include "tools/ingest/ingest_od.hpp"
 #include "tools/ingest/ingest_partition.hpp"
 #include "tools/ingest/ingest_stations.hpp"
@@ -109,6 +110,34 @@ void add_trips(CLI::App& ingest) {
   command->add_option("--out", arguments->out, "Folder of the new pack")->required();
   command->callback([arguments] {
     const IngestedCity made = ingest_trips(arguments->sources);
+    write_city(made.city, made.days, arguments->out);
+    std::cout << made.report << "wrote " << arguments->out << "\n";
+  });
+}
+
+void add_counts(CLI::App& ingest) {
+  struct Arguments {
+    CountSources sources;
+    std::string out;
+  };
+  const auto arguments = std::make_shared<Arguments>();
+  CountSources& sources = arguments->sources;
+  CLI::App* command = ingest.add_subcommand("counts", "Make a city of trip counts by date, time and pair of zones");
+  command->add_option("--counts", sources.counts, "Folder of tables of counts, .csv, plain, .gz or .xz")->required();
+  command->add_option("--zones", sources.zones, "Polygons to merge: GeoJSON, plain or compressed, or a shapefile")
+      ->required();
+  command->add_option("--trips", sources.trips, "Table of single trips, for travel: .csv, plain or compressed")
+      ->required();
+  command->add_option("--stations", sources.stations, "Table of stations, .csv, plain or compressed")->required();
+  command->add_option("--sessions", sources.sessions, "Folder of charging sessions")->required();
+  command->add_option("--notes", sources.notes, "YAML of what the tables do not say, and how they are laid out")
+      ->required();
+  command->add_option("--regions", sources.regions, "Number of regions, as many as zones at most")
+      ->required()
+      ->check(CLI::Range(1, 5000));
+  command->add_option("--out", arguments->out, "Folder of the new pack")->required();
+  command->callback([arguments] {
+    const IngestedCity made = ingest_counts(arguments->sources);
     write_city(made.city, made.days, arguments->out);
     std::cout << made.report << "wrote " << arguments->out << "\n";
   });
@@ -217,6 +246,7 @@ void add_gps(CLI::App& ingest) {
 void add_ingest_command(CLI::App& app) {
   CLI::App* ingest = app.add_subcommand("ingest", "Make a city pack from raw records or from a seed");
   ingest->require_subcommand(1);
+  add_counts(*ingest);
   add_gps(*ingest);
   add_od(*ingest);
   add_partition(*ingest);

@@ -3,6 +3,7 @@
 #include "agents/world/geometry.hpp"
 #include "common/plain_text.hpp"
 #include "tools/ingest/station_list.hpp"
+#include "tools/ingest/time_pattern.hpp"
 #include "tools/records/row_tally.hpp"
 
 #include <algorithm>
@@ -134,13 +135,7 @@ StationFormat read_station_format(YamlMap& map) {
   format.name = add_column(format.table, columns.require("name"));
   format.lat = add_column(format.table, columns.require("lat"));
   format.lon = add_column(format.table, columns.require("lon"));
-  const YamlValue points = columns.require("points");
-  for (const YamlValue& column : points.is_list() ? points.items() : std::vector<YamlValue>{points}) {
-    format.points.push_back(add_column(format.table, column));
-  }
-  if (format.points.empty()) {
-    throw points.error("expected a column, or a list of columns that add up");
-  }
+  format.points = add_columns(format.table, columns.require("points"));
   columns.finish();
   return format;
 }

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace evbal {
@@ -19,9 +18,8 @@ struct SessionFormat {
   std::string time;                    ///< form of both times, as time_like takes it; empty: unix seconds
 };
 
-/// Seconds since 1970, as if UTC, of a time in which %Y %m %d %H %M %S stand for numbers and all else for itself; a
-/// part that the pattern lacks is 0, or 1 for month and day. Nothing if `text` is no such time.
-std::optional<long long> time_like(std::string_view pattern, std::string_view text);
+/// Reads its keys, which may stand among others. Throws Error{bad_input} with file and line.
+SessionFormat read_session_format(YamlMap& map);
 
 /// Reads such a file. Throws Error{bad_input} with file and line.
 SessionFormat read_session_format(const std::filesystem::path& file);

@@ -1,8 +1,8 @@
 #include "tools/ingest/sessions.hpp"
 
-#include "agents/world/pack_table.hpp"
 #include "common/contract.hpp"
 #include "common/decimal.hpp"
+#include "tools/ingest/time_pattern.hpp"
 #include "tools/records/row_tally.hpp"
 #include "tools/records/text_lines.hpp"
 
@@ -12,8 +12,6 @@
 
 namespace evbal {
 namespace {
-
-constexpr long long kLastSecond = 253'402'300'799;  // year 9999
 
 /// Whether the first row of a table names all columns of the format.
 bool has_columns(const std::filesystem::path& file, const TableFormat& format) {
@@ -33,7 +31,7 @@ class SessionReader {
   SessionReader(const SessionFormat& format, const SessionChoice& choice)
       : format_(format),
         choice_(choice),
-        no_time_("no time like `" + (format.time.empty() ? "1709535660" : format.time) + "`"),
+        no_time_("no time like " + time_example(format.time)),
         other_length_("not from " + decimal(choice.shortest) + " to " + decimal(choice.longest) + " min long") {}
 
   /// Puts the length of a row's session into `minutes`, or says why it cannot.
@@ -60,15 +58,8 @@ class SessionReader {
 
  private:
   std::optional<long long> time(const RawTable& row, const std::vector<std::size_t>& columns) {
-    text_.clear();
-    for (const std::size_t column : columns) {
-      text_.append(column == columns.front() ? "" : " ").append(row.text(column));
-    }
-    if (!format_.time.empty()) {
-      return time_like(format_.time, text_);
-    }
-    const auto seconds = parse_integer(text_);
-    return seconds && *seconds >= 0 && *seconds <= kLastSecond ? seconds : std::nullopt;
+    join_fields(row, columns, text_);
+    return time_like(format_.time, text_);
   }
 
   const SessionFormat& format_;

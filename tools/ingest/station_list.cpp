@@ -1,5 +1,6 @@
 #include "tools/ingest/station_list.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace evbal {
@@ -56,6 +57,31 @@ std::string StationList::report() const {
   return joined_.line("further rows of a station, points added up") +
          renamed_.line("of a name that another station has, numbered") +
          same_place_.line("at the very place of another station; listed twice?");
+}
+
+std::vector<Station> share_of_points(const std::vector<Station>& stations, double share) {
+  struct Part {
+    std::size_t station = 0;
+    double rest = 0.0;
+  };
+  std::vector<Station> kept = stations;
+  std::vector<Part> parts;
+  double total = 0.0;
+  int given = 0;
+  for (std::size_t s = 0; s < kept.size(); ++s) {
+    const double exact = share * kept[s].points;
+    total += exact;
+    kept[s].points = static_cast<int>(exact);
+    given += kept[s].points;
+    parts.push_back({s, exact - kept[s].points});
+  }
+  std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.rest > b.rest; });
+  const auto left = static_cast<std::size_t>(std::lround(total) - given);
+  for (std::size_t p = 0; p < std::min(left, parts.size()); ++p) {
+    ++kept[parts[p].station].points;
+  }
+  std::erase_if(kept, [](const Station& station) { return station.points == 0; });
+  return kept;
 }
 
 }  // namespace evbal

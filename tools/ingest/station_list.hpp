@@ -44,4 +44,7 @@ class StationList {
   Count same_place_;
 };
 
+/// The stations' share of their points, in whole points by the largest remainders; stations left without are dropped.
+std::vector<Station> share_of_points(const std::vector<Station>& stations, double share);
+
 }  // namespace evbal

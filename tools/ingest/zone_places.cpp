@@ -74,6 +74,11 @@ const ZonePlaces::Shape* ZonePlaces::shape_named(std::string_view name) const {
   return found == numbers_.end() ? nullptr : found->second;
 }
 
+const Zone* ZonePlaces::zone_of(std::string_view name) const {
+  const Shape* shape = shape_named(name);
+  return shape == nullptr ? nullptr : shape->zone;
+}
+
 std::optional<LatLon> ZonePlaces::place(std::string_view name, std::uint64_t draw) const {
   const Shape* shape = shape_named(name);
   if (shape == nullptr) {

@@ -21,6 +21,9 @@ class ZonePlaces {
   /// just this name it is the only one whose name is the same whole number: 132, 0132 or 132.0.
   std::optional<LatLon> place(std::string_view name, std::uint64_t draw) const;
 
+  /// The zone that place() draws in, null if there is none.
+  const Zone* zone_of(std::string_view name) const;
+
  private:
   /// An outer ring of a zone.
   struct Part {

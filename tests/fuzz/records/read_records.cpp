@@ -12,7 +12,9 @@
 #include "tools/ingest/ingest_stations.hpp"
 #include "tools/ingest/projection.hpp"
 #include "tools/ingest/sessions.hpp"
+#include "tools/ingest/travel_sample.hpp"
 #include "tools/ingest/trips.hpp"
+#include "tools/ingest/zone_counts.hpp"
 
 #include <shapefil.h>
 
@@ -160,6 +162,43 @@ void read_projection(std::string_view bytes) {
   projection.place(980'000.0, 190'000.0);
 }
 
+const std::vector<Zone>& two_zones() {
+  static const std::vector<Zone> zones =
+      read_zones(write("two.geojson", R"({"features": [{"properties": {"id": 1}, "geometry": {"type": "Polygon",)"
+                                      R"( "coordinates": [[[114, 22], [114.1, 22], [114, 22.1], [114, 22]]]}},)"
+                                      R"( {"properties": {"id": 2}, "geometry": {"type": "Polygon",)"
+                                      R"( "coordinates": [[[114, 23], [114.1, 23], [114, 23.1], [114, 23]]]}}]})"),
+                 {.name = "id", .weight = {}})
+          .zones;
+  return zones;
+}
+
+void read_count_table(std::string_view bytes) {
+  CountFormat format;
+  format.table.columns = {"date", "time", "from", "to", "trips"};
+  format.time = {0, 1};
+  format.pattern = "%Y-%m-%d %H:%M";
+  format.from = 2;
+  format.to = 3;
+  format.trips = 4;
+  write("counts/a.csv", bytes);
+  read_counts(folder() / "counts", format, two_zones(),
+              {.days = {"2019-03-03"}, .day_start = 300, .step_minutes = 60, .share = 0.5, .seed = 1});
+}
+
+void read_sample_table(std::string_view bytes) {
+  SampleFormat format;
+  format.table.columns = {"begin", "end", "from", "to", "km"};
+  format.start = {0};
+  format.end = {1};
+  format.pattern = "%Y-%m-%d %H:%M:%S";
+  format.from = 2;
+  format.to = 3;
+  format.distance = 4;
+  fit_travel(write("sample.csv", bytes), format, two_zones(),
+             [](int from, int to) { return from == to ? 1.0 : 100.0; });
+}
+
 void read_pack_files(std::string_view bytes) {
   read_regions(write("pack.geojson", bytes));
 }
@@ -170,9 +209,9 @@ void read_pack_files(std::string_view bytes) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace evbal;
   static constexpr void (*readers[])(std::string_view){
-      read_gps,        read_local_gps,     read_shapefile,  read_geojson,       read_stations_table,
-      read_trip_table, read_session_table, read_pack_files, read_trips_by_zone, read_transition_table,
-      read_projection};
+      read_gps,        read_local_gps,     read_shapefile,   read_geojson,       read_stations_table,
+      read_trip_table, read_session_table, read_pack_files,  read_trips_by_zone, read_transition_table,
+      read_projection, read_count_table,   read_sample_table};
   if (size == 0) {
     return 0;
   }
