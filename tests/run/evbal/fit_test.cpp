@@ -37,6 +37,18 @@ TEST(Fit, TakesTheTransitionsOfDrivers) {
   EXPECT_NE(refused.err.find("transitions.csv:2: the city has no region `r1`"), std::string::npos) << refused.err;
 }
 
+TEST(Fit, TakesOtherDays) {
+  const CommandLine line;
+  const Ended ended =
+      line.evbal("fit toy-5 --train 2024-01-04 2024-01-08 --test 2024-01-01 2024-01-05 --out model.json");
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  EXPECT_NE(ended.out.find("demand: 5 training days on record"), std::string::npos) << ended.out;
+  const Ended refused = line.evbal("fit toy-5 --train 2030-01-01 2030-01-08 --out other.json");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("toy-5 has no day from 2030-01-01 to 2030-01-08; its days are from"), std::string::npos)
+      << refused.err;
+}
+
 TEST(Fit, RefusesACityThatItCannotFit) {
   const CommandLine line;
   const Ended unknown = line.evbal("fit atlantis");
