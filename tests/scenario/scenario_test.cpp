@@ -208,6 +208,10 @@ TEST(Scenario, ShippedOnesHoldASpikeInTheEveningAndAnOutageInTheMorning) {
   for (const auto& entry : fs::directory_iterator(shipped)) {
     const Scenario scenario = read_scenario(entry.path());
     EXPECT_EQ(scenario.controllers, (std::vector<std::string>{"nominal", "robust"}));
+    if (entry.path().filename() == "manhattan-march-2020.yaml") {  // what goes wrong is on record
+      EXPECT_TRUE(scenario.schedule.faults.empty());
+      continue;
+    }
     ASSERT_EQ(scenario.schedule.faults.size(), 2U);
     const Fault& outage = scenario.schedule.faults[0];
     const Fault& spike = scenario.schedule.faults[1];

@@ -17,12 +17,8 @@
 namespace evbal {
 namespace {
 
-constexpr int kSessionQuantiles = 21;
-constexpr int kPlaces = 64;  // in a zone, over which its trip ends are spread
-
-double rounded(double value, double parts) {
-  return std::round(value * parts) / parts;
-}
+constexpr int kLengths = 21;  // quantiles of the sessions
+constexpr int kPlaces = 64;   // in a zone, over which its trip ends are spread
 
 /// Pick-ups and drop-offs of each zone.
 std::vector<double> ends_of(const ZoneCounts& counts, std::size_t zones) {
@@ -85,7 +81,7 @@ void set_mean_travel(const TravelSample& travel, const ZoneCounts& counts, std::
   factors.spread_km = std::move(spread_km);
   set_travel(city);
   city.factors.reset();
-  city.minutes = city.minutes.unaryExpr([](double minutes) { return rounded(minutes, 10.0); });
+  city.minutes = city.minutes.unaryExpr([](double minutes) { return std::round(10.0 * minutes) / 10.0; });
 }
 
 /// The distance by which the detour is measured: between random places in two regions.
@@ -119,7 +115,7 @@ IngestedCity ingest_counts(const CountSources& sources) {
   const IngestedStations stations = ingest_stations(sources.stations, notes.stations, city.regions, notes.snap_m);
   city.stations = share_of_points(stations.stations, notes.points_share);
   const SessionSample sessions = read_sessions(sources.sessions, notes.session_table, notes.sessions);
-  city.charging.session_quantiles = quantiles(sessions.minutes, kSessionQuantiles);
+  city.charging.session_quantiles = quantiles(sessions.minutes, kLengths);
   made.days = demand_days(city, counts, partition.region_of);
 
   std::ostringstream out;

@@ -12,9 +12,9 @@
 namespace evbal {
 namespace {
 
-constexpr double kPriorTrips = 50.0;  // weight of all trips against those of an hour
-constexpr std::size_t kFewest = 100;  // trips to fit to
-constexpr double kLeastKm = 0.1;      // of a trip
+constexpr double kHourPrior = 50.0;        // weight of all trips against those of an hour
+constexpr std::size_t kFewestTrips = 100;  // trips to fit to
+constexpr double kShortestKm = 0.1;        // of a trip
 
 struct SampleTrip {
   int hour = 0;
@@ -64,8 +64,8 @@ class SampleReader {
       return {trip.minutes < format_.shortest ? "too short in time" : "too long in time", row.text(format_.end.back()),
               false};
     }
-    if (trip.km < kLeastKm || trip.km > format_.fastest_kmh * trip.minutes / 60.0) {
-      return {trip.km < kLeastKm ? "under 100 m" : "too fast", row.text(format_.distance), false};
+    if (trip.km < kShortestKm || trip.km > format_.fastest_kmh * trip.minutes / 60.0) {
+      return {trip.km < kShortestKm ? "under 100 m" : "too fast", row.text(format_.distance), false};
     }
     return {};
   }
@@ -112,7 +112,7 @@ void fit_hours(const std::vector<SampleTrip>& trips, const TravelTotals& all, Tr
   for (const SampleTrip& trip : trips) {
     by_hour.at(trip.hour).add(trip);
   }
-  const double prior = kPriorTrips / all.trips;
+  const double prior = kHourPrior / all.trips;
   for (std::size_t hour = 0; hour < by_hour.size(); ++hour) {
     const TravelTotals& sums = by_hour[hour];
     const double expected = fit.law.start * sums.trips + fit.law.per_km * sums.km;
@@ -163,7 +163,7 @@ TravelSample fit_travel(const std::filesystem::path& table, const SampleFormat& 
       all.add(trip);
     }
     tally.finish();
-    if (trips.size() < kFewest) {
+    if (trips.size() < kFewestTrips) {
       throw bad_input(table.string(), 0,
                       "has " + std::to_string(trips.size()) + " trips that count; a hundred at least are needed");
     }

@@ -4,14 +4,6 @@
 #include <cmath>
 
 namespace evbal {
-namespace {
-
-double rounded(double value, double parts) {
-  return std::round(value * parts) / parts;
-}
-
-}  // namespace
-
 void TripEnds::add(int region, LatLon place, double trips) {
   const LocalPoint at = frame_.local(place);
   Sums& sums = sums_[region];
@@ -29,10 +21,10 @@ std::vector<double> TripEnds::place(std::vector<Region>& regions, double cell_m)
     if (sums.trips > 0.0) {
       const LocalPoint mean{sums.east / sums.trips, sums.north / sums.trips};
       const LatLon centroid = frame_.global(mean);
-      regions[r].centroid = {rounded(centroid.lat, 1e5), rounded(centroid.lon, 1e5)};
+      regions[r].centroid = {std::round(1e5 * centroid.lat) / 1e5, std::round(1e5 * centroid.lon) / 1e5};
       square += std::max(0.0, sums.square / sums.trips - mean.east * mean.east - mean.north * mean.north);
     }
-    spread.push_back(rounded(std::sqrt(square) / 1000.0, 1e3));
+    spread.push_back(std::round(std::sqrt(square)) / 1000.0);
   }
   return spread;
 }

@@ -14,8 +14,8 @@
 namespace evbal {
 namespace {
 
-constexpr long long kMostTrips = 1'000'000;  // of a row
-constexpr long long kDay = 24 * 3600;
+constexpr long long kMostInARow = 1'000'000;  // of a row
+constexpr long long kSecondsOfDay = 24 * 3600;
 
 /// Seconds since 1970 of an ISO date.
 long long midnight(const std::string& date) {
@@ -72,7 +72,7 @@ class CountReader {
       return fault;
     }
     const auto trips = row.integer(format_.trips);
-    if (!trips || *trips < 0 || *trips > kMostTrips) {
+    if (!trips || *trips < 0 || *trips > kMostInARow) {
       return {"no number of trips, 0 to 1000000", row.text(format_.trips)};
     }
     cell.trips = static_cast<int>(*trips);
@@ -85,11 +85,11 @@ class CountReader {
     if (!time) {
       return {no_time_, text_};
     }
-    const auto day = day_of_.find(*time / kDay * kDay);
+    const auto day = day_of_.find(*time / kSecondsOfDay * kSecondsOfDay);
     if (day == day_of_.end() || *time < 0) {
       return {"on another day", text_, false};
     }
-    const int minute = static_cast<int>(*time % kDay / 60) - choice_.day_start;
+    const int minute = static_cast<int>(*time % kSecondsOfDay / 60) - choice_.day_start;
     if (minute < 0) {
       return {"before the day's start", text_, false};
     }
