@@ -88,9 +88,10 @@ class TransitionReader {
       }
       for (const auto& [state, sum] : sums) {
         if (std::abs(sum - 1.0) > 1e-6) {
-          throw bad_input(file_.string(), 0,
-                          "from " + time_of_day(period.start) + ", shares of region `" + name + "`, " + state +
-                              ", sum to " + decimal(sum) + " where 1 is expected");
+          std::ostringstream what;
+          what << "from " << time_of_day(period.start) << ", shares of region `" << name << "`, " << state
+               << ", sum to " << decimal(sum) << " where 1 is expected";
+          throw bad_input(file_.string(), 0, what.str());
         }
       }
     }

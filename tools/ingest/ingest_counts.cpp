@@ -5,7 +5,7 @@
 #include "tools/ingest/count_notes.hpp"
 #include "tools/ingest/ingest_partition.hpp"
 #include "tools/ingest/station_list.hpp"
-#include "tools/ingest/trip_ends.hpp"
+#include "tools/ingest/trip_end_sums.hpp"
 #include "tools/ingest/zone_places.hpp"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ std::vector<double> ends_of(const ZoneCounts& counts, std::size_t zones) {
 /// Sets the regions' centroids to their mean trip end, spread evenly over each zone, and returns the spread around it.
 std::vector<double> place_regions(const Partition& partition, const std::vector<double>& ends,
                                   std::vector<Region>& regions) {
-  TripEnds places(regions);
+  TripEndSums places(regions);
   const ZonePlaces within(partition.zones);
   for (std::size_t z = 0; z < partition.zones.size(); ++z) {
     // A zone without trips counts a little, so that its region has a place and a size.

@@ -84,7 +84,7 @@ std::optional<long long> time_like(std::string_view pattern, std::string_view te
 }
 
 std::string read_time_pattern(const YamlValue& value) {
-  const std::string text = value.text();
+  std::string text = value.text();
   if (text == "unix") {
     return "";
   }

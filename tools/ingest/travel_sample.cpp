@@ -123,16 +123,16 @@ void fit_hours(const std::vector<SampleTrip>& trips, const TravelTotals& all, Tr
 }
 
 std::string report_of(long long read, const Dropped& dropped, std::size_t used, const TravelSample& fit) {
-  char line[200];
+  std::array<char, 200> line{};
   std::string text = "sample rows read: " + std::to_string(read) + "\n" + dropped.report();
-  std::snprintf(line, sizeof line, "trips of the sample used: %zu, minutes = %.2f + %.2f * km, detour %.3f\n", used,
-                fit.law.start, fit.law.per_km, fit.detour);
-  text += line;
+  std::snprintf(line.data(), line.size(), "trips of the sample used: %zu, minutes = %.2f + %.2f * km, detour %.3f\n",
+                used, fit.law.start, fit.law.per_km, fit.detour);
+  text += line.data();
   text += "  hour  trips  minutes over the law's  detour\n";
   for (std::size_t hour = 0; hour < fit.hours.size(); ++hour) {
     const HourOfTravel& one = fit.hours[hour];
-    std::snprintf(line, sizeof line, "  %4zu  %5d  %22.3f  %6.3f\n", hour, one.trips, one.pace, one.detour);
-    text += line;
+    std::snprintf(line.data(), line.size(), "  %4zu  %5d  %22.3f  %6.3f\n", hour, one.trips, one.pace, one.detour);
+    text += line.data();
   }
   return text;
 }

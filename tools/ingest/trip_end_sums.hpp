@@ -7,10 +7,10 @@
 namespace evbal {
 
 /// Where the trip ends of each region lie.
-class TripEnds {
+class TripEndSums {
  public:
   /// At least one region.
-  explicit TripEnds(const std::vector<Region>& regions) : frame_(regions.front().centroid), sums_(regions.size()) {}
+  explicit TripEndSums(const std::vector<Region>& regions) : frame_(regions.front().centroid), sums_(regions.size()) {}
 
   /// `trips` of them, more than none, lie at `place`.
   void add(int region, LatLon place, double trips);

@@ -1,10 +1,10 @@
-#include "tools/ingest/trip_ends.hpp"
+#include "tools/ingest/trip_end_sums.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace evbal {
-void TripEnds::add(int region, LatLon place, double trips) {
+void TripEndSums::add(int region, LatLon place, double trips) {
   const LocalPoint at = frame_.local(place);
   Sums& sums = sums_[region];
   sums.trips += trips;
@@ -13,7 +13,7 @@ void TripEnds::add(int region, LatLon place, double trips) {
   sums.square += trips * (at.east * at.east + at.north * at.north);
 }
 
-std::vector<double> TripEnds::place(std::vector<Region>& regions, double cell_m) const {
+std::vector<double> TripEndSums::place(std::vector<Region>& regions, double cell_m) const {
   std::vector<double> spread;
   for (std::size_t r = 0; r < regions.size(); ++r) {
     const Sums& sums = sums_[r];
