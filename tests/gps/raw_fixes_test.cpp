@@ -257,6 +257,11 @@ TEST_F(RawFixes, OfAnotherFormAreRefusedWithTheValue) {
   refused(changed(0, 600, [](Row& row) { row.lat = row.lon = 0.0; }), "has no fix that counts\n  dropped, at 0,0");
   refused(changed(0, 600, [](Row& row) { row.occupied = 2; }), "neither `1` (occupied) nor `0` (free): 100 (first");
   refused({{kMorning, 152.0, 9.7, 0}}, "no latitude in degrees, -90 to 90: 1 (first: ");
+  Rows scattered = day_of_a_cab();
+  for (std::size_t i = 0; i < scattered.size(); ++i) {
+    scattered[i].lon = static_cast<double>(i * 7919 % 360) - 180.0;
+  }
+  refused(scattered, "more fixes where or when no car can have driven than others; are the columns");
   folder_.write("gps/cab_7.txt", "52,36 9,73 0 1709535660\n");
   expect_refused("cab_7.txt:1: `52,36`)");
 }

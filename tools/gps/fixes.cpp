@@ -18,6 +18,7 @@ constexpr long long kFewDisordered = 100;      // rows out of order that any tab
 constexpr std::size_t kMostWaiting = 250'000;  // rows that are looked at together
 constexpr std::size_t kLookAhead = 60;         // rows of a vehicle that wait for those after them
 constexpr std::string_view kDisordered = "out of the order of time";
+constexpr std::string_view kNoDrive = "where or when no car can have driven";
 
 /// The rows of a vehicle that were read and not yet handed over.
 struct Waiting {
@@ -157,8 +158,7 @@ class Sorter {
     } else if (fix.time < before || fix.time > after) {
       drop(kDisordered, rows, i, time);
     } else {
-      drop("where or when no car can have driven", rows, i,
-           decimal(fix.place.lat) + " " + decimal(fix.place.lon) + " at " + time);
+      drop(kNoDrive, rows, i, decimal(fix.place.lat) + " " + decimal(fix.place.lon) + " at " + time);
     }
   }
 
@@ -238,6 +238,11 @@ FixCount for_each_fix(const std::filesystem::path& folder, const GpsFormat& form
     }
     if (reader.count.used == 0) {
       throw bad_input(folder.string(), 0, "has no fix that counts");
+    }
+    if (reader.count.dropped.rows(kNoDrive) > reader.count.used) {
+      throw bad_input(folder.string(), 0,
+                      "has more fixes where or when no car can have driven than others; are the columns of place, time "
+                      "and vehicle the right ones?");
     }
   } catch (const Error& error) {
     throw with_report(error, reader.count.dropped.report());

@@ -45,7 +45,7 @@ using UseFix = std::function<void(const std::string& vehicle, const Fix& fix, bo
 /// clocks show twice is the first one after the vehicle's fix before. `tell` is called at each file and every 100,000
 /// rows. Throws Error{bad_input} with file and line, and with what was dropped so far, if a file is truncated, lacks a
 /// column or is not named as the format says, if all of its first hundred rows are unreadable, if more than a tenth
-/// of its rows are out of the order of time, or if no fix remains.
+/// of its rows are out of the order of time, if no fix remains, or if most of them are where no car can have driven.
 FixCount for_each_fix(const std::filesystem::path& folder, const GpsFormat& format, const UseFix& use,
                       const std::function<void(const FixProgress&)>& tell);
 
