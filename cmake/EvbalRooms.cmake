@@ -9,6 +9,9 @@ target_compile_options(evbal_options INTERFACE
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(evbal_options INTERFACE $<BUILD_INTERFACE:-Wno-restrict>)  # false alarms on std::string's + (GCC bug 105651)
 endif()
+if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  target_compile_options(evbal_options INTERFACE $<BUILD_INTERFACE:-Wno-subobject-linkage>)  # takes each source for a header
+endif()
 if(EVBAL_SANITIZE)
   target_compile_options(evbal_options INTERFACE -fsanitize=${EVBAL_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   if(EVBAL_SANITIZE MATCHES undefined)

@@ -33,6 +33,9 @@ struct Station {
 
 /// Trips of one origin-destination pair that start within one step.
 struct TripCount {
+  /// More than this of one pair in one step is no count of trips.
+  static constexpr int most = 1'000'000;
+
   int origin = 0;       ///< region
   int destination = 0;  ///< region
   int trips = 0;        ///< number

@@ -14,7 +14,6 @@
 namespace evbal {
 namespace {
 
-constexpr int kMaxTrips = 1'000'000;
 constexpr double kMaxSpread = 100.0;  // km
 
 /// "2008-06-03" as 20080603.
@@ -50,7 +49,7 @@ std::vector<TripCount> read_pairs(const std::filesystem::path& file, int regions
       return pairs;
     }
     const TripCount pair{table.integer(0, 0, regions - 1), table.integer(1, 0, regions - 1),
-                         table.integer(2, 1, kMaxTrips)};
+                         table.integer(2, 1, TripCount::most)};
     if (!pairs.empty() &&
         std::tie(pair.origin, pair.destination) <= std::tie(pairs.back().origin, pairs.back().destination)) {
       throw table.error("lines must ascend by origin, destination");
@@ -110,7 +109,7 @@ DemandDay drawn_day(const City& city, const std::string& date) {
     const double of_day = factors.share * pair.trips * deviation[pair.origin];
     for (int step = 0; step < city.steps_per_day(); ++step) {
       const auto trips =
-          static_cast<int>(random.poisson(std::min(of_day * factors.course(position, step), 1.0 * kMaxTrips)));
+          static_cast<int>(random.poisson(std::min(of_day * factors.course(position, step), 1.0 * TripCount::most)));
       if (trips > 0) {
         day.steps[step].push_back({pair.origin, pair.destination, trips});
       }

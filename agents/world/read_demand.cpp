@@ -8,8 +8,6 @@
 namespace evbal {
 namespace {
 
-constexpr int kMaxTrips = 1'000'000;
-
 /// The lines up to `end,,,TOTAL`.
 std::vector<std::vector<TripCount>> read_counts(PackTable& table, const City& city) {
   const int n = city.size();
@@ -24,7 +22,7 @@ std::vector<std::vector<TripCount>> read_counts(PackTable& table, const City& ci
       return steps;
     }
     const int step = table.integer(0, 0, city.steps_per_day() - 1);
-    const TripCount count{table.integer(1, 0, n - 1), table.integer(2, 0, n - 1), table.integer(3, 1, kMaxTrips)};
+    const TripCount count{table.integer(1, 0, n - 1), table.integer(2, 0, n - 1), table.integer(3, 1, TripCount::most)};
     const std::tuple<int, int, int> key(step, count.origin, count.destination);
     if (key <= before) {
       throw table.error("lines must ascend by step, origin, destination");

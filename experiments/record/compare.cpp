@@ -15,8 +15,6 @@ namespace evbal {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
-using Difference = std::optional<std::string>;
 
 std::string cell(const std::vector<std::string>& cells, std::size_t column) {
   return column < cells.size() ? "`" + cells[column] + "`" : "missing";
@@ -37,7 +35,7 @@ std::string place_of(const std::vector<std::string>& names, const std::vector<st
   return place;
 }
 
-Difference compare_csv(const fs::path& recorded, const fs::path& replayed, const DayClock& clock) {
+std::optional<std::string> compare_csv(const fs::path& recorded, const fs::path& replayed, const DayClock& clock) {
   const std::string was = text_of_file(recorded);
   const std::string is = text_of_file(replayed);
   if (was == is) {
@@ -63,7 +61,7 @@ Difference compare_csv(const fs::path& recorded, const fs::path& replayed, const
 }
 
 /// Drops what depends on how the run was made, or on another run.
-void forget_circumstances(Json& summary) {
+void forget_circumstances(nlohmann::json& summary) {
   for (const char* key : {"processes", "network", "dds_profiles", "step_seconds", "wall_seconds", "without_faults",
                           "program", "pack_digest", "model_digest"}) {
     summary.erase(key);
@@ -75,16 +73,16 @@ void forget_circumstances(Json& summary) {
   }
 }
 
-Difference compare_summaries(const fs::path& recorded, const fs::path& replayed) {
-  Json was = Json::parse(text_of_file(recorded), nullptr, false);
-  Json is = Json::parse(text_of_file(replayed), nullptr, false);
+std::optional<std::string> compare_summaries(const fs::path& recorded, const fs::path& replayed) {
+  nlohmann::json was = nlohmann::json::parse(text_of_file(recorded), nullptr, false);
+  nlohmann::json is = nlohmann::json::parse(text_of_file(replayed), nullptr, false);
   if (was.is_discarded() || !was.is_object()) {
     return "summary.json: cannot be read as JSON";
   }
   forget_circumstances(was);
   forget_circumstances(is);
-  const Json was_values = was.flatten();
-  const Json is_values = is.flatten();
+  const nlohmann::json was_values = was.flatten();
+  const nlohmann::json is_values = is.flatten();
   for (const auto& [key, value] : is_values.items()) {
     if (!was_values.contains(key) || was_values.at(key) != value) {
       const std::string said = was_values.contains(key) ? was_values.at(key).dump() : "missing";
@@ -103,7 +101,7 @@ Difference compare_summaries(const fs::path& recorded, const fs::path& replayed)
 
 }  // namespace
 
-Difference first_difference(const fs::path& recorded, const fs::path& replayed, const DayClock& clock) {
+std::optional<std::string> first_difference(const fs::path& recorded, const fs::path& replayed, const DayClock& clock) {
   if (auto found = compare_days(recorded / "run.sqlite", replayed / "run.sqlite")) {
     return found;
   }
@@ -116,7 +114,7 @@ Difference first_difference(const fs::path& recorded, const fs::path& replayed, 
 }
 
 bool scenario_is_original(const fs::path& folder) {
-  const Json summary = Json::parse(text_of_file(folder / "summary.json"), nullptr, false);
+  const nlohmann::json summary = nlohmann::json::parse(text_of_file(folder / "summary.json"), nullptr, false);
   return summary.is_object() && summary.contains("scenario_digest") &&
          summary["scenario_digest"] == text_digest(text_of_file(folder / "scenario.resolved.yaml"));
 }

@@ -13,7 +13,8 @@
 namespace evbal {
 namespace {
 
-double optimum(const std::string& controller, const PlanningData& data, const BalancingParameters& parameters) {
+double optimum_by_any_engine(const std::string& controller, const PlanningData& data,
+                             const BalancingParameters& parameters) {
   const EngineSettings engine{.name = *rc::gen::elementOf(engine_names())};
   const auto certificate = balance(controller, parameters, data, engine).certificate;
   RC_ASSERT(certificate.optimal());
@@ -83,8 +84,8 @@ RC_GTEST_PROP(ControllersProperty, NamesOfRegionsDoNotMatter, ()) {
     std::swap(one.indices()(i), one.indices()(*rc::gen::inRange(i, static_cast<int>(one.size()))));
   }
   const auto controller = *rc::gen::elementOf(solving_controllers());
-  const double expected = optimum(controller, data, parameters);
-  RC_ASSERT(std::abs(optimum(controller, renamed(data, one), parameters) - expected) <=
+  const double expected = optimum_by_any_engine(controller, data, parameters);
+  RC_ASSERT(std::abs(optimum_by_any_engine(controller, renamed(data, one), parameters) - expected) <=
             2e-6 * std::max(1.0, std::abs(expected)));
 }
 
@@ -110,7 +111,7 @@ RC_GTEST_PROP(ControllersProperty, UnitsOfLengthDoNotMatter, ()) {
   auto parameters = any_parameters();
   const auto controller = *rc::gen::elementOf(solving_controllers());
   const double factor = *rc::gen::element(0.1, 0.5, 1.6, 7.0);
-  const double expected = factor * optimum(controller, data, parameters);
+  const double expected = factor * optimum_by_any_engine(controller, data, parameters);
   data.km *= factor;
   for (auto price : {&BalancingParameters::m1, &BalancingParameters::m2, &BalancingParameters::theta_0,
                      &BalancingParameters::omega, &BalancingParameters::pi_e, &BalancingParameters::p_shortage,
@@ -118,7 +119,8 @@ RC_GTEST_PROP(ControllersProperty, UnitsOfLengthDoNotMatter, ()) {
     parameters.*price *= factor;
   }
   data.state.plugged = data.state.plugged.cwiseMin(data.points.rowwise().minCoeff());  // z costs the same in any unit
-  RC_ASSERT(std::abs(optimum(controller, data, parameters) - expected) <= 2e-6 * std::max(1.0, std::abs(expected)));
+  RC_ASSERT(std::abs(optimum_by_any_engine(controller, data, parameters) - expected) <=
+            2e-6 * std::max(1.0, std::abs(expected)));
 }
 
 // At fixed h, without a surplus. With one step the band stands at  h = (1 + eta) sum r / sum V.
@@ -133,9 +135,9 @@ RC_GTEST_PROP(ControllersProperty, MoreVehiclesNeverCostMore, ()) {
   parameters.p_surplus = 0.0;
   parameters.eta = 0.0;
   const auto controller = *rc::gen::elementOf(solving_controllers());
-  const double before = optimum(controller, data, parameters);
+  const double before = optimum_by_any_engine(controller, data, parameters);
   parameters.eta = more.state.vacant.sum() / fleet - 1.0;
-  RC_ASSERT(optimum(controller, more, parameters) <= before + 2e-6 * std::max(1.0, std::abs(before)));
+  RC_ASSERT(optimum_by_any_engine(controller, more, parameters) <= before + 2e-6 * std::max(1.0, std::abs(before)));
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ namespace {
 
 const std::vector<std::string> solving = solving_controllers();
 
-double optimum(const std::string& controller, const PlanningData& data, const BalancingParameters& parameters = {}) {
+double optimum_of(const std::string& controller, const PlanningData& data, const BalancingParameters& parameters = {}) {
   const auto certificate = balance(controller, parameters, data, {}).certificate;
   EXPECT_TRUE(certificate.optimal()) << controller << ": " << certificate.reason;
   return certificate.objective;
@@ -97,11 +97,11 @@ TEST_P(EveryEngine, StaysFeasibleInExtremes) {
 
 TEST(Controllers, RobustIsNominalWithoutUncertainty) {
   auto data = random_planning_data(2, {.regions = 6});
-  const double nominal = optimum("nominal", data);
-  const double robust = optimum("robust", data);
+  const double nominal = optimum_of("nominal", data);
+  const double robust = optimum_of("robust", data);
   EXPECT_GT(robust, nominal + 1.0);
   data.demand.g1 = data.completions.g1 = 0.0;
-  EXPECT_NEAR(optimum("robust", data), nominal, 1e-6 * nominal);
+  EXPECT_NEAR(optimum_of("robust", data), nominal, 1e-6 * nominal);
 }
 
 // One region, one step: nothing to decide, the whole objective by hand.
@@ -126,7 +126,7 @@ TEST(Controllers, PriceAShortageAsTheirFormSays) {
   const double hS = 1.2 * 6.0;  // rho = 6 / 4
   const double lS = 0.8 * 6.0;
   const auto expect = [&](const std::string& controller, double expected) {
-    EXPECT_NEAR(optimum(controller, data), expected, 2e-6 * std::max(1.0, expected)) << controller;
+    EXPECT_NEAR(optimum_of(controller, data), expected, 2e-6 * std::max(1.0, expected)) << controller;
   };
   expect("nominal", 0.0);
   expect("demand-robust", 0.0);  // 6 +- 1 is within [lS, hS]
@@ -139,7 +139,7 @@ TEST(Controllers, PriceAShortageAsTheirFormSays) {
   const double short_of = 6.0 + 0.8 * 5.0 - 4.0 - 0.6 * 3.0;
   const auto certain = solve(formulate(p, data, {.shortage = Shortage::turnover}).program, {}).certificate;
   EXPECT_NEAR(certain.objective, p.p_shortage * short_of, 1e-4);
-  const double turnover = optimum("turnover", data);
+  const double turnover = optimum_of("turnover", data);
   EXPECT_GT(turnover, p.p_shortage * short_of);
   EXPECT_LT(turnover, p.p_shortage * (short_of + 2.0));
   expect("oracle", turnover);
@@ -150,7 +150,7 @@ TEST(Controllers, PointsStandInForCompletionsInUtilisationOnly) {
   BalancingParameters points;
   points.supply = Supply::points;
   for (const auto& controller : solving) {
-    EXPECT_NE(optimum(controller, data, points), optimum(controller, data)) << controller;
+    EXPECT_NE(optimum_of(controller, data, points), optimum_of(controller, data)) << controller;
   }
   const auto options = FormulationOptions{};
   EXPECT_TRUE(uncertainty_model(points, data, options).c_low.isApprox(uncertainty_model({}, data, options).c_low));
@@ -211,7 +211,7 @@ TEST(Controllers, AgreeWithBruteForceOnTwoRegions) {
       };
       const double expected = golden(-s.vacant(1), s.vacant(0), vacant_cost) +
                               golden(-s.low_battery(1), s.low_battery(0), low_battery_cost);
-      EXPECT_NEAR(optimum(robust ? "robust" : "nominal", data), expected, 2e-6 * expected) << "seed " << seed;
+      EXPECT_NEAR(optimum_of(robust ? "robust" : "nominal", data), expected, 2e-6 * expected) << "seed " << seed;
     }
   }
 }

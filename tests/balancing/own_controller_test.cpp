@@ -13,13 +13,13 @@
 namespace evbal {
 namespace {
 
-double objective(const Controller& controller, const PlanningData& data, const std::string& engine) {
+double objective_of(const Controller& controller, const PlanningData& data, const std::string& engine) {
   const auto certificate = balance(controller, {}, data, {.name = engine}).certificate;
   EXPECT_TRUE(certificate.optimal()) << certificate.reason;
   return certificate.objective;
 }
 
-double objective(const std::string& controller, const PlanningData& data, const std::string& engine) {
+double objective_of(const std::string& controller, const PlanningData& data, const std::string& engine) {
   return balance(controller, {}, data, {.name = engine}).certificate.objective;
 }
 
@@ -32,8 +32,8 @@ TEST(OwnController, PricesShortageByATermOfItsOwn) {
   const Controller own{"mine", optimum({.shortage = Shortage::own, .own = price})};
   const auto data = random_planning_data(11, {.regions = 7});
   for (const auto& engine : engine_names()) {
-    const double ratio = objective("ratio", data, engine);
-    EXPECT_NEAR(objective(own, data, engine), ratio, 2e-6 * ratio) << engine;
+    const double ratio = objective_of("ratio", data, engine);
+    EXPECT_NEAR(objective_of(own, data, engine), ratio, 2e-6 * ratio) << engine;
   }
 }
 
@@ -44,8 +44,8 @@ TEST(OwnController, OfAnOwnTermSeesTheDemandAsItsOptionSays) {
     seen += k == 0 ? model.shortage.front().values.front() : 0.0;
   };
   const double spread = std::sqrt(std::min(data.demand.g1, data.demand.g2)) * data.demand.standard_deviation()(0);
-  objective({"mine", optimum({.shortage = Shortage::own, .demand = Uncertainty::worst_case, .own = look})}, data,
-            "cuts");
+  objective_of({"mine", optimum({.shortage = Shortage::own, .demand = Uncertainty::worst_case, .own = look})}, data,
+               "cuts");
   EXPECT_NEAR(seen, data.demand.mean(0) + spread, 1e-12);
 }
 
@@ -55,10 +55,10 @@ TEST(OwnController, TakesDemandForWhatItLikes) {
                           return optimum({})(parameters, data, engine);
                         }};
   auto data = random_planning_data(13, {.regions = 6});
-  const double expected = objective(more, data, "cuts");
-  EXPECT_NE(objective("nominal", data, "cuts"), expected);
+  const double expected = objective_of(more, data, "cuts");
+  EXPECT_NE(objective_of("nominal", data, "cuts"), expected);
   data.demand.mean(2) += 20.0;
-  EXPECT_EQ(objective("nominal", data, "cuts"), expected);
+  EXPECT_EQ(objective_of("nominal", data, "cuts"), expected);
 }
 
 TEST(OwnController, PlansByARule) {

@@ -9,7 +9,7 @@ using Regions = std::set<int>;
 
 constexpr RunShape seven_regions{.seed = 1, .regions = 7, .regions_per_process = 3};
 
-Effect effect_on(EffectType type, int region, double magnitude = 0.0) {
+Effect effect_at(EffectType type, int region, double magnitude = 0.0) {
   Effect effect;
   effect.fault = 5;
   effect.type = type;
@@ -18,14 +18,14 @@ Effect effect_on(EffectType type, int region, double magnitude = 0.0) {
   return effect;
 }
 
-Effect effect_on(EffectType type, ProcessRole process, double magnitude = 0.0) {
-  Effect effect = effect_on(type, no_region, magnitude);
+Effect effect_at(EffectType type, ProcessRole process, double magnitude = 0.0) {
+  Effect effect = effect_at(type, no_region, magnitude);
   effect.process = process;
   return effect;
 }
 
 Effect on_topic(EffectType type, NetworkTopic topic, double magnitude) {
-  Effect effect = effect_on(type, 2, magnitude);
+  Effect effect = effect_at(type, 2, magnitude);
   effect.topic = topic;
   return effect;
 }
@@ -35,44 +35,44 @@ Attendance attendance_of(const Effect& effect, bool plan_due = true) {
 }
 
 TEST(Attendance, IsFullWithoutFaults) {
-  const Attendance all = attendance({effect_on(EffectType::demand_scale, 2, 3.0)}, seven_regions, 4, true);
+  const Attendance all = attendance({effect_at(EffectType::demand_scale, 2, 3.0)}, seven_regions, 4, true);
   EXPECT_TRUE(all.away.empty() && all.absent.empty() && all.unheard.empty() && all.unplanned.empty());
   EXPECT_TRUE(all.seen.empty());
 }
 
 TEST(Attendance, AKilledAgentTakesItsProcessWithIt) {
-  const Attendance kill = attendance_of(effect_on(EffectType::process_kill, 4, 6.0));
+  const Attendance kill = attendance_of(effect_at(EffectType::process_kill, 4, 6.0));
   EXPECT_EQ(kill.away, (Absences{{"agent-1", Absence::killed}}));
   EXPECT_EQ(kill.absent, (Regions{3, 4, 5}));
   ASSERT_EQ(kill.seen.size(), 1U);
   EXPECT_EQ(kill.seen[0].region, 4);
   EXPECT_EQ(kill.seen[0].observed.fault, 5);
   EXPECT_EQ(kill.seen[0].observed.amount, 1.0);
-  EXPECT_EQ(attendance_of(effect_on(EffectType::process_pause, 6)).absent, Regions{6});
+  EXPECT_EQ(attendance_of(effect_at(EffectType::process_pause, 6)).absent, Regions{6});
 }
 
 TEST(Attendance, OneProcessIsKilledRatherThanPaused) {
-  const std::vector<Effect> both = {effect_on(EffectType::process_kill, 3), effect_on(EffectType::process_pause, 4)};
+  const std::vector<Effect> both = {effect_at(EffectType::process_kill, 3), effect_at(EffectType::process_pause, 4)};
   EXPECT_EQ(attendance(both, seven_regions, 0, false).away, (Absences{{"agent-1", Absence::killed}}));
   EXPECT_EQ(attendance({both[1], both[0]}, seven_regions, 0, false).away, (Absences{{"agent-1", Absence::killed}}));
 }
 
 TEST(Attendance, CoordinatorAndInjectorHaveNoRegions) {
-  const Attendance coordinator = attendance_of(effect_on(EffectType::process_pause, ProcessRole::coordinator));
+  const Attendance coordinator = attendance_of(effect_at(EffectType::process_pause, ProcessRole::coordinator));
   EXPECT_FALSE(coordinator.coordinator());
   EXPECT_TRUE(coordinator.absent.empty());
-  const Attendance injector = attendance_of(effect_on(EffectType::process_kill, ProcessRole::injector));
+  const Attendance injector = attendance_of(effect_at(EffectType::process_kill, ProcessRole::injector));
   EXPECT_EQ(injector.away, (Absences{{"faults", Absence::killed}}));
 }
 
 TEST(Attendance, NobodyWaitsForWhoIsSlowerThanTheDeadline) {
-  EXPECT_TRUE(attendance_of(effect_on(EffectType::process_slow, 0, report_deadline)).unheard.empty());
-  const Attendance late = attendance_of(effect_on(EffectType::process_slow, 0, 1.5));
+  EXPECT_TRUE(attendance_of(effect_at(EffectType::process_slow, 0, report_deadline)).unheard.empty());
+  const Attendance late = attendance_of(effect_at(EffectType::process_slow, 0, 1.5));
   EXPECT_EQ(late.unheard, (Regions{0, 1, 2}));
   EXPECT_EQ(late.unplanned, late.unheard);
   EXPECT_TRUE(late.absent.empty());
-  EXPECT_EQ(attendance_of(effect_on(EffectType::process_slow, ProcessRole::coordinator, 2.0)).unplanned.size(), 7U);
-  EXPECT_TRUE(attendance_of(effect_on(EffectType::process_slow, 0, 9.0), false).unheard.empty()) << "nothing is said";
+  EXPECT_EQ(attendance_of(effect_at(EffectType::process_slow, ProcessRole::coordinator, 2.0)).unplanned.size(), 7U);
+  EXPECT_TRUE(attendance_of(effect_at(EffectType::process_slow, 0, 9.0), false).unheard.empty()) << "nothing is said";
 }
 
 TEST(Attendance, TheNetworkLosesSamplesOfATopic) {
@@ -82,7 +82,7 @@ TEST(Attendance, TheNetworkLosesSamplesOfATopic) {
   const Attendance plan = attendance_of(on_topic(EffectType::network_delay, NetworkTopic::plan, 3.0));
   EXPECT_TRUE(plan.unheard.empty());
   EXPECT_EQ(plan.unplanned, Regions{2});
-  const Attendance parted = attendance_of(effect_on(EffectType::network_partition, 2));
+  const Attendance parted = attendance_of(effect_at(EffectType::network_partition, 2));
   EXPECT_EQ(parted.unheard, Regions{2});
   EXPECT_EQ(parted.unplanned, Regions{2});
   EXPECT_EQ(parted.seen.at(0).observed.amount, 2.0);

@@ -255,7 +255,7 @@ Complaints misplaced_names(const std::vector<Include>& includes) {
   return wrong;
 }
 
-std::string text_of(const fs::path& file) {
+std::string source_text(const fs::path& file) {
   std::ifstream stream(file);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
@@ -266,7 +266,7 @@ std::set<std::string> folders_that_link(const std::string& library) {
   for (const char* top : {"agents", "coordinator", "experiments", "faults", "tests", "tools"}) {
     for (const auto& entry : fs::recursive_directory_iterator(root() / top)) {
       if (entry.path().filename() == "CMakeLists.txt" &&
-          std::regex_search(text_of(entry.path()), std::regex(library + "\\b"))) {
+          std::regex_search(source_text(entry.path()), std::regex(library + "\\b"))) {
         folders.insert(entry.path().parent_path().lexically_relative(root()).generic_string());
       }
     }

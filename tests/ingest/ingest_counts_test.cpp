@@ -40,7 +40,7 @@ passengers: {patience: [8min, 20min]}
 )";
 
 /// Four zones of 0.02 x 0.015 degrees, from south-west to north-east.
-std::string zones() {
+std::string zones_of_counts() {
   std::string text = "{\"type\": \"FeatureCollection\", \"features\": [";
   for (int zone = 0; zone < 4; ++zone) {
     const double west = 9.70 + 0.02 * (zone % 2);
@@ -64,7 +64,7 @@ class IngestCounts : public testing::Test {
  protected:
   IngestCounts() {
     sources_ = {folder_.path() / "counts",
-                folder_.write("zones.geojson", zones()),
+                folder_.write("zones.geojson", zones_of_counts()),
                 folder_.path() / "sample.csv",
                 folder_.write("stations.csv", "id,lat,lon,n\na,52.347,9.71,3\nb,52.362,9.73,5\n"),
                 folder_.path() / "sessions",

@@ -23,7 +23,7 @@ std::string zones() {
   return out + "]}";
 }
 
-const std::string kNotes = R"(name: small
+const std::string kOdNotes = R"(name: small
 source: nobody
 trips:
   columns: {from_lat: r1, from_lon: c1, to_lat: r2, to_lon: c2, trips: n}
@@ -54,7 +54,7 @@ class IngestOd : public testing::Test {
                       "0,0,0,-1,x\n"),  // no number
         folder_.write("zones.geojson", zones()),
         folder_.write("stations.csv", "id,lat,lon,fast\na,22.505,114.005,5\nb,22.505,114.035,4\nc,22.505,114.036,0\n"),
-        folder_.write("notes.yaml", kNotes),
+        folder_.write("notes.yaml", kOdNotes),
         folder_.path() / "like",
         4};
   }

@@ -12,7 +12,7 @@ namespace evbal {
 namespace {
 
 /// Two squares of 0.01 degrees, west and east.
-std::vector<Region> regions() {
+std::vector<Region> station_regions() {
   const auto square = [](double west) {
     return Outline{{{22.5, west}, {22.5, west + 0.01}, {22.51, west + 0.01}, {22.51, west}}};
   };
@@ -24,7 +24,7 @@ class IngestStations : public testing::Test {
   IngestedStations ingest(const std::string& rows) {
     folder_.write("stations.csv", "id,longitude,latitude,plugs\n" + rows);
     YamlMap map(YamlValue::parse(format_, "format.yaml"));
-    return ingest_stations(folder_.path() / "stations.csv", read_station_format(map), regions(), 500.0);
+    return ingest_stations(folder_.path() / "stations.csv", read_station_format(map), station_regions(), 500.0);
   }
 
   Folder folder_;
@@ -58,13 +58,13 @@ TEST_F(IngestStations, LieInTheirRegionOrTheNearest) {
 
 TEST_F(IngestStations, AreWrittenAsAPackHoldsThem) {
   const auto made = ingest("a,114.005,22.505,2\nb,114.015,22.505,3\n");
-  const auto file = folder_.write("stations.yaml", stations_yaml(made.stations, regions()));
-  const auto read = read_stations(file, regions());
+  const auto file = folder_.write("stations.yaml", stations_yaml(made.stations, station_regions()));
+  const auto read = read_stations(file, station_regions());
   ASSERT_EQ(read.size(), 2U);
   EXPECT_EQ(read[1].name, "b");
   EXPECT_EQ(read[1].region, 1);
   EXPECT_EQ(read[1].place.lon, 114.015);
-  const auto regions_file = folder_.write("regions.geojson", regions_geojson(regions()));
+  const auto regions_file = folder_.write("regions.geojson", regions_geojson(station_regions()));
   EXPECT_EQ(read_regions(regions_file)[1].outline[0].size(), 4U);
 }
 

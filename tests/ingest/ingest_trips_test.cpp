@@ -10,7 +10,7 @@
 namespace evbal {
 namespace {
 
-const std::string kNotes = R"(name: small
+const std::string kTripsNotes = R"(name: small
 source: nobody
 utc_offset_minutes: -420
 day_start: "05:00"
@@ -79,7 +79,7 @@ class IngestTrips : public testing::Test {
                 {},
                 folder_.write("zones.geojson", zones_geojson()),
                 folder_.path() / "sessions",
-                folder_.write("notes.yaml", kNotes),
+                folder_.write("notes.yaml", kTripsNotes),
                 6};
   }
 
@@ -155,11 +155,11 @@ TEST_F(IngestTrips, RefusesWhatIsNoInput) {
   sources_.regions = 60;
   expect_refused("cannot make 60 regions");
   expect_refused("on another day: 2 (first: ");
-  folder_.write("notes.yaml", std::string(kNotes).replace(kNotes.find("reach_km: 11"), 12, "reach_km: 2 "));
+  folder_.write("notes.yaml", std::string(kTripsNotes).replace(kTripsNotes.find("reach_km: 11"), 12, "reach_km: 2 "));
   expect_refused("dropped, zones out of reach: ");
-  folder_.write("notes.yaml", kNotes);
+  folder_.write("notes.yaml", kTripsNotes);
   sources_.regions = 6;
-  folder_.write("notes.yaml", kNotes + "more: 1\n");
+  folder_.write("notes.yaml", kTripsNotes + "more: 1\n");
   expect_refused("notes.yaml:15: unknown key `more`");
 }
 

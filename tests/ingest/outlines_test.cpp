@@ -9,11 +9,11 @@
 namespace evbal {
 namespace {
 
-constexpr Corner kOrigin{37'750'000, -122'450'000};
+constexpr Corner kCorner{37'750'000, -122'450'000};
 
 /// A rectangle in thousandths of a degree from the origin.
 Zone rectangle(int west, int south, int east, int north) {
-  const auto corner = [](int x, int y) { return Corner{kOrigin.lat + 1000 * y, kOrigin.lon + 1000 * x}; };
+  const auto corner = [](int x, int y) { return Corner{kCorner.lat + 1000 * y, kCorner.lon + 1000 * x}; };
   Zone zone;
   zone.rings = {{corner(west, south), corner(east, south), corner(east, north), corner(west, north)}};
   zone.centre = point_of(corner((west + east) / 2, (south + north) / 2));
@@ -69,7 +69,7 @@ TEST(MergedOutlines, KeepCommonBordersCommon) {
   Zone east = rectangle(10, 0, 20, 10);
   std::vector<Corner> border;
   for (int y = 1; y < 10; ++y) {
-    border.push_back({kOrigin.lat + 1000 * y, kOrigin.lon + 10'000 + (y % 2 == 0 ? 50 : -50)});
+    border.push_back({kCorner.lat + 1000 * y, kCorner.lon + 10'000 + (y % 2 == 0 ? 50 : -50)});
   }
   auto& west_ring = west.rings[0];
   west_ring.insert(west_ring.begin() + 2, border.begin(), border.end());

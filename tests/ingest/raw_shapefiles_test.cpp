@@ -59,7 +59,7 @@ fs::path write_squares(const Folder& folder, const std::string& prj, const Posit
   return file;
 }
 
-std::pair<double, double> in_degrees(double east, double north) {
+std::pair<double, double> degrees_of(double east, double north) {
   return {9.70 + 0.02 * east, 52.34 + 0.015 * north};
 }
 
@@ -79,7 +79,7 @@ void expect_refused(const fs::path& file, const std::string& reason) {
 
 TEST(RawShapefiles, MayHaveNullShapes) {
   const Folder folder;
-  const ZoneFile file = read_zones(write_squares(folder, kDegrees, in_degrees), {"LocationID", ""});
+  const ZoneFile file = read_zones(write_squares(folder, kDegrees, degrees_of), {"LocationID", ""});
   EXPECT_EQ(file.zones.size(), 16U);
   EXPECT_EQ(file.zones[15].name, "16");
   EXPECT_NE(file.report.find("dropped, a null shape: 1 (first: "), std::string::npos) << file.report;
@@ -118,7 +118,7 @@ TEST(RawShapefiles, MayBeOfAnotherMeridian) {
       R"(PRIMEM["Ferro",-17.6666666666667],UNIT["degree",0.0174532925199433]])";
   const Folder folder;
   const fs::path file = write_squares(folder, ferro, [](double east, double north) {
-    const auto [lon, lat] = in_degrees(east, north);
+    const auto [lon, lat] = degrees_of(east, north);
     return std::pair{lon + 17.6666666666667, lat};
   });
   const auto zones = read_zones(file, {"LocationID", ""}).zones;
@@ -132,7 +132,7 @@ TEST(RawShapefiles, MayBeOfAnotherUnit) {
       R"(UNIT["Radian",1]])";
   const Folder folder;
   const fs::path file = write_squares(folder, radians, [](double east, double north) {
-    const auto [lon, lat] = in_degrees(east, north);
+    const auto [lon, lat] = degrees_of(east, north);
     return std::pair{lon * std::numbers::pi / 180.0, lat * std::numbers::pi / 180.0};
   });
   EXPECT_NEAR(read_zones(file).zones[0].centre.lon, 9.71, 1e-6);
@@ -144,7 +144,7 @@ TEST(RawShapefiles, OfGradsAreNeverTakenForDegrees) {
       R"(PRIMEM["Paris",2.337229166666667],UNIT["Grad",0.01570796326794897]])";
   const Folder folder;
   const fs::path file = write_squares(folder, paris, [](double east, double north) {
-    const auto [lon, lat] = in_degrees(east, north);
+    const auto [lon, lat] = degrees_of(east, north);
     return std::pair{(lon - 2.337229166666667) / 0.9, lat / 0.9};
   });
   try {
@@ -179,13 +179,13 @@ TEST(RawShapefiles, AreRefusedOutsideTheirProjection) {
                 R"(PARAMETER["latitude_of_origin",0],PARAMETER["central_meridian",9],)"
                 R"(PARAMETER["scale_factor",0.9996],PARAMETER["false_easting",500000],)"
                 R"(PARAMETER["false_northing",0],UNIT["metre",1]])",
-                in_degrees);
+                degrees_of);
   expect_refused(file, "lies where `ETRS89 / UTM zone 32N` is not used");
 }
 
 TEST(RawShapefiles, AreRefusedWithoutAName) {
   const Folder folder;
-  const fs::path file = write_squares(folder, kDegrees, in_degrees);
+  const fs::path file = write_squares(folder, kDegrees, degrees_of);
   DBFHandle table = DBFOpen((folder.path() / "zones.dbf").c_str(), "rb+");
   DBFWriteNULLAttribute(table, 7, 0);
   DBFClose(table);

@@ -16,7 +16,7 @@ namespace {
 
 using namespace town;
 
-const std::string kNotes = R"(name: my-town
+const std::string kRawNotes = R"(name: my-town
 source: drawn
 utc_offset_minutes: 60
 day_start: "05:00"
@@ -55,7 +55,7 @@ class RawTrips : public testing::Test {
   RawTrips() {
     folder_.write("zones.geojson", collection(features()));
     folder_.write("format.yaml", kFormat);
-    folder_.write("notes.yaml", kNotes);
+    folder_.write("notes.yaml", kRawNotes);
     folder_.write("sessions/s.csv",
                   "Start Date,Start Time,End Date,End Time,Model\n01/12/2017,12:00,01/12/2017,12:20,Rapid\n");
   }

@@ -13,7 +13,7 @@ namespace evbal {
 namespace {
 
 /// Two squares of 0.01 degrees, `7` in the west and `9` in the east.
-std::vector<Zone> zones() {
+std::vector<Zone> two_zones() {
   std::vector<Zone> out;
   for (const auto& [name, west] : {std::pair{"7", -122.50}, std::pair{"9", -122.49}}) {
     Zone& zone = out.emplace_back();
@@ -40,10 +40,11 @@ struct Read {
 
 Read read(const Folder& folder, const TripFormat& format, const CityNotes& notes) {
   Read out;
-  out.count = for_each_trip(folder.path() / "trips", format, zones(), notes, [&](const Trip& trip) -> std::string_view {
-    out.trips.push_back(trip);
-    return {};
-  });
+  out.count =
+      for_each_trip(folder.path() / "trips", format, two_zones(), notes, [&](const Trip& trip) -> std::string_view {
+        out.trips.push_back(trip);
+        return {};
+      });
   return out;
 }
 

@@ -6,7 +6,7 @@ namespace evbal {
 namespace {
 
 /// A square of 0.03 degrees with a hole of 0.01 in the middle.
-std::vector<Zone> zones() {
+std::vector<Zone> zones_with_holes() {
   const auto square = [](double south, double west, double side) {
     return std::vector<LatLon>{{south, west}, {south, west + side}, {south + side, west + side}, {south + side, west}};
   };
@@ -19,7 +19,7 @@ std::vector<Zone> zones() {
 }
 
 TEST(ZonePlaces, AreSpreadEvenlyOverTheZone) {
-  const std::vector<Zone> all = zones();
+  const std::vector<Zone> all = zones_with_holes();
   const ZonePlaces places(all);
   int east = 0;
   int middle = 0;
@@ -37,7 +37,7 @@ TEST(ZonePlaces, AreSpreadEvenlyOverTheZone) {
 }
 
 TEST(ZonePlaces, RepeatAndAreNowhereInAnUnknownZone) {
-  const std::vector<Zone> all = zones();
+  const std::vector<Zone> all = zones_with_holes();
   const ZonePlaces places(all);
   EXPECT_EQ(places.place("a", 5)->lat, places.place("a", 5)->lat);
   EXPECT_NE(places.place("a", 5)->lat, places.place("a", 6)->lat);
@@ -67,7 +67,7 @@ TEST(ZonePlaces, AreSpreadOverAllPolygonsOfAZone) {
 bool known(const std::vector<std::string>& names, const std::string& shown, char decimal = '.') {
   std::vector<Zone> all;
   for (const std::string& name : names) {
-    all.push_back(zones().front());
+    all.push_back(zones_with_holes().front());
     all.back().name = name;
   }
   return ZonePlaces(all, decimal).place(shown, 1).has_value();

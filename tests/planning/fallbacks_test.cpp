@@ -13,8 +13,6 @@
 namespace evbal {
 namespace {
 
-const std::string date = "2008-06-03";
-
 using testing::at;
 using testing::quiet_reports;
 
@@ -42,7 +40,7 @@ Moves moves_of(const Plan& plan) {
 
 // Plans are due every 10 minutes, a step lasts 30.
 TEST(RecedingHorizonPlanner, ShiftsTheLastPlanByTheTimeThatPassed) {
-  RecedingHorizonPlanner planner(testing::small_city(), {}, date, {}, testing::small_model(), SolvesOnce{});
+  RecedingHorizonPlanner planner(testing::small_city(), {}, testing::date, {}, testing::small_model(), SolvesOnce{});
   const auto made_at = [&](int tick) { return planner.plan(at(tick), quiet_reports(tick, 9)); };
   EXPECT_EQ(moves_of(made_at(0)), (Moves{{0, 1, 2}}));
   for (const int tick : {2, 4, 8, 10}) {
@@ -58,11 +56,11 @@ TEST(RecedingHorizonPlanner, ShiftsTheLastPlanByTheTimeThatPassed) {
 
 // A coordinator that was dead when the second step began sends its vehicles off as it comes back, and once.
 TEST(RecedingHorizonPlanner, ShiftsByTheTimeThatPassedWhileItWasDead) {
-  RecedingHorizonPlanner dead(testing::small_city(), {}, date, {}, testing::small_model(), SolvesOnce{});
+  RecedingHorizonPlanner dead(testing::small_city(), {}, testing::date, {}, testing::small_model(), SolvesOnce{});
   dead.plan(at(0), quiet_reports(0, 9));
   const auto back = [&] {
     const SolvesOnce never{std::make_shared<bool>(true)};
-    RecedingHorizonPlanner planner(testing::small_city(), {}, date, {}, testing::small_model(), never);
+    RecedingHorizonPlanner planner(testing::small_city(), {}, testing::date, {}, testing::small_model(), never);
     planner.recall(at(0), quiet_reports(0, 9), dead.memory());
     return planner;
   };
@@ -77,7 +75,7 @@ Provenance provenance_under(const Effect& effect, const std::string& controller,
   PlanningSettings settings;
   settings.controller = controller;
   settings.engine.name = engine;
-  RecedingHorizonPlanner planner(testing::small_city(), {}, date, settings, testing::small_model());
+  RecedingHorizonPlanner planner(testing::small_city(), {}, testing::date, settings, testing::small_model());
   Tick tick = at(0);
   tick.effects = {effect};
   return planner.plan(tick, quiet_reports(0, 5)).provenance;
@@ -107,7 +105,7 @@ TEST(RecedingHorizonPlanner, ComesDownTheLadderAndUpAgain) {
     settings.engine.name = engine;
     std::set<std::string> failing;
     RecedingHorizonPlanner planner(
-        testing::small_city(), {}, date, settings, testing::small_model(),
+        testing::small_city(), {}, testing::date, settings, testing::small_model(),
         [&failing, solve = balancer_of(settings)](const std::string& controller, const PlanningData& data,
                                                   const EngineSettings& given) {
           return failing.contains(controller) ? BalancingResult{} : solve(controller, data, given);
@@ -138,7 +136,7 @@ TEST(RecedingHorizonPlanner, HoldsWithoutIterationsToSpend) {
   for (const std::string& engine : engine_names()) {
     PlanningSettings settings;
     settings.engine = {.name = engine, .max_iterations = 1};
-    RecedingHorizonPlanner planner(testing::small_city(), {}, date, settings, testing::small_model());
+    RecedingHorizonPlanner planner(testing::small_city(), {}, testing::date, settings, testing::small_model());
     auto reports = quiet_reports(0, 5);
     reports[0].low_battery = reports[0].points = 3;
     const Plan plan = planner.plan(at(0), reports);

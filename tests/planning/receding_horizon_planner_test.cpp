@@ -15,15 +15,13 @@
 namespace evbal {
 namespace {
 
-const std::string date = "2008-06-03";
-
 using testing::at;
 using testing::quiet_reports;
 using testing::Spy;
 
 TEST(RecedingHorizonPlanner, BuildsTheProblemFromReportsAndModel) {
   const Spy spy;
-  RecedingHorizonPlanner planner(testing::small_city(), {}, date, {}, testing::small_model(), spy);
+  RecedingHorizonPlanner planner(testing::small_city(), {}, testing::date, {}, testing::small_model(), spy);
   planner.plan(at(0), quiet_reports(0, 5));
   EXPECT_EQ(spy.seen->transitions.size(), 2U);
   EXPECT_EQ(spy.seen->state.vacant(2), 5.0);
@@ -37,7 +35,7 @@ TEST(RecedingHorizonPlanner, BuildsTheProblemFromReportsAndModel) {
 
 TEST(RecedingHorizonPlanner, ForecastsFollowWhatIsReported) {
   const Spy spy;
-  RecedingHorizonPlanner planner(testing::small_city(), {}, date, {}, testing::small_model(), spy);
+  RecedingHorizonPlanner planner(testing::small_city(), {}, testing::date, {}, testing::small_model(), spy);
   for (int tick = 0; tick <= 6; tick += 2) {
     auto reports = quiet_reports(tick, 5);
     for (Report& report : reports) {
@@ -54,7 +52,7 @@ TEST(RecedingHorizonPlanner, ForecastsFollowWhatIsReported) {
 TEST(RecedingHorizonPlanner, ExpectsWhatItIsToldOfDemand) {
   const auto mean_under = [](const Effect& effect, int reported) {
     const Spy spy;
-    RecedingHorizonPlanner planner(testing::small_city(), {}, date, {}, testing::small_model(), spy);
+    RecedingHorizonPlanner planner(testing::small_city(), {}, testing::date, {}, testing::small_model(), spy);
     for (int tick = 0; tick <= 6; tick += 2) {
       Tick announced = at(tick);
       announced.effects = {effect};
@@ -87,9 +85,9 @@ TEST(RecedingHorizonPlanner, InflatesTheSetWhereForecastsAreOff) {
   const Spy spy;
   PlanningSettings settings;
   settings.innovation_test = true;
-  RecedingHorizonPlanner planner(testing::small_city(), {}, date, settings, testing::small_model(), spy);
-  RecedingHorizonPlanner untested(testing::small_city(), {}, date, {}, testing::small_model(), Spy{spy});
-  RecedingHorizonPlanner told(testing::small_city(), {}, date, settings, testing::small_model(), Spy{});
+  RecedingHorizonPlanner planner(testing::small_city(), {}, testing::date, settings, testing::small_model(), spy);
+  RecedingHorizonPlanner untested(testing::small_city(), {}, testing::date, {}, testing::small_model(), Spy{spy});
+  RecedingHorizonPlanner told(testing::small_city(), {}, testing::date, settings, testing::small_model(), Spy{});
   const auto at_day_start = [&] {
     planner.plan(at(0), usual_reports(0, 0));
     return spy.seen->demand.standard_deviation();
@@ -120,7 +118,7 @@ TEST(RecedingHorizonPlanner, InflatesTheSetWhereForecastsAreOff) {
 
 TEST(RecedingHorizonPlanner, CountsOnThePointsThatWork) {
   const Spy spy;
-  RecedingHorizonPlanner planner(testing::small_city(), {}, date, {}, testing::small_model(), spy);
+  RecedingHorizonPlanner planner(testing::small_city(), {}, testing::date, {}, testing::small_model(), spy);
   auto reports = quiet_reports(0, 5);
   reports[0].points = 2;
   reports[1].points = 1;
@@ -136,7 +134,7 @@ TEST(RecedingHorizonPlanner, CountsOnThePointsThatWork) {
 TEST(RecedingHorizonPlanner, ForeseesWhatItWasTold) {
   const Spy spy;
   const DayClock clock;
-  RecedingHorizonPlanner planner(testing::small_city(), clock, date, {}, testing::small_model(), spy);
+  RecedingHorizonPlanner planner(testing::small_city(), clock, testing::date, {}, testing::small_model(), spy);
   Eigen::MatrixXd demand = Eigen::MatrixXd::Zero(3, clock.ticks());
   demand.row(1).setLinSpaced(0.0, clock.ticks() - 1.0);
   planner.foresee(demand);
@@ -153,7 +151,7 @@ TEST(RecedingHorizonPlanner, ForeseesWhatItWasTold) {
 TEST(RecedingHorizonPlanner, AddsNoAnnouncementToWhatItForesees) {
   const Spy spy;
   const DayClock clock;
-  RecedingHorizonPlanner planner(testing::small_city(), clock, date, {}, testing::small_model(), spy);
+  RecedingHorizonPlanner planner(testing::small_city(), clock, testing::date, {}, testing::small_model(), spy);
   planner.foresee(Eigen::MatrixXd::Ones(3, clock.ticks()));
   Tick announced = at(0);
   announced.effects = {{.type = EffectType::demand_scale, .region = 1, .magnitude = 2.0}};
@@ -174,7 +172,7 @@ TEST(RecedingHorizonPlanner, TakesOverFromAnother) {
   settings.controller = "nominal";
   settings.innovation_test = true;
   const auto made = [&] {
-    return RecedingHorizonPlanner(testing::small_city(), {}, date, settings, testing::small_model(),
+    return RecedingHorizonPlanner(testing::small_city(), {}, testing::date, settings, testing::small_model(),
                                   fails_from_the_fourth_on);
   };
   const auto reports = [](int tick) {
@@ -208,17 +206,19 @@ TEST(RecedingHorizonPlanner, RefusesAModelThatDoesNotFit) {
   City four = testing::small_city();
   four.regions.resize(4);
   four.km = four.minutes = Eigen::MatrixXd::Ones(4, 4);
-  EXPECT_THROW(RecedingHorizonPlanner(four, {}, date, {}, testing::small_model(), Spy{}), Error);
+  EXPECT_THROW(RecedingHorizonPlanner(four, {}, testing::date, {}, testing::small_model(), Spy{}), Error);
   PlanningSettings far;
   far.balancing.tau = 3;
-  EXPECT_THROW(RecedingHorizonPlanner(testing::small_city(), {}, date, far, testing::small_model(), Spy{}), Error);
-  EXPECT_THROW(RecedingHorizonPlanner(testing::small_city(), {.step = 60}, date, {}, testing::small_model(), Spy{}),
+  EXPECT_THROW(RecedingHorizonPlanner(testing::small_city(), {}, testing::date, far, testing::small_model(), Spy{}),
                Error);
+  EXPECT_THROW(
+      RecedingHorizonPlanner(testing::small_city(), {.step = 60}, testing::date, {}, testing::small_model(), Spy{}),
+      Error);
 }
 
 void expect_misfit(const CityModel& model, const std::string& what) {
   try {
-    RecedingHorizonPlanner(testing::small_city(), {}, date, {}, model, Spy{});
+    RecedingHorizonPlanner(testing::small_city(), {}, testing::date, {}, model, Spy{});
     FAIL() << "was accepted, expected a refusal about " << what;
   } catch (const Error& error) {
     EXPECT_EQ(error.status(), ExitStatus::bad_input);
@@ -250,7 +250,7 @@ TEST(RecedingHorizonPlanner, PlansByAControllerOfOnesOwn) {
                           Dispatch dispatch{.vacant = {{{0, 2, data.state.vacant(0)}}}, .low_battery = {{}}};
                           return by_rule(dispatch);
                         }};
-  RecedingHorizonPlanner planner(testing::small_city(), {}, date, settings, testing::small_model(),
+  RecedingHorizonPlanner planner(testing::small_city(), {}, testing::date, settings, testing::small_model(),
                                  balancer_of(settings, {mine}));
   const Plan plan = planner.plan(at(0), quiet_reports(0, 5));
   EXPECT_EQ(plan.provenance.controller, "mine");
@@ -265,7 +265,7 @@ RC_GTEST_PROP(RecedingHorizonPlannerProperty, NeverSendsMoreThanARegionHas, (std
     PlanningSettings settings;
     settings.controller = controller;
     settings.engine.name = "cuts";
-    RecedingHorizonPlanner planner(testing::small_city(), {}, date, settings, testing::small_model());
+    RecedingHorizonPlanner planner(testing::small_city(), {}, testing::date, settings, testing::small_model());
     auto reports = quiet_reports(0, 0);
     for (Report& report : reports) {
       report.vacant = static_cast<int>(random.below(20));

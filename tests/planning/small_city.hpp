@@ -3,7 +3,12 @@
 #include "agents/world/city.hpp"
 #include "coordinator/planning/city_model.hpp"
 
+#include <string>
+
 namespace evbal::testing {
+
+/// A day of the small city.
+inline const std::string date = "2008-06-03";
 
 /// Three regions in a row, 5 km apart; points in the first two.
 inline City small_city() {

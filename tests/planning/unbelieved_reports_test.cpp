@@ -16,8 +16,6 @@
 namespace evbal {
 namespace {
 
-const std::string date = "2008-06-03";
-
 using testing::at;
 using testing::quiet_reports;
 using testing::Spy;
@@ -33,7 +31,7 @@ Reasons reasons(const Plan& plan) {
 }
 
 TEST(RecedingHorizonPlanner, SaysWhichReportsItDoesNotBelieve) {
-  RecedingHorizonPlanner planner(testing::small_city(), {}, date, {}, testing::small_model(), Spy{});
+  RecedingHorizonPlanner planner(testing::small_city(), {}, testing::date, {}, testing::small_model(), Spy{});
   EXPECT_EQ(reasons(planner.plan(at(0), quiet_reports(0, 5))), Reasons{});
   auto reports = quiet_reports(2, 5);
   reports.pop_back();
@@ -48,7 +46,7 @@ TEST(RecedingHorizonPlanner, SaysWhichReportsItDoesNotBelieve) {
 
 TEST(RecedingHorizonPlanner, EstimatesWhatItDoesNotBelieve) {
   const Spy spy;
-  RecedingHorizonPlanner planner(testing::small_city(), {}, date, {}, testing::small_model(), spy);
+  RecedingHorizonPlanner planner(testing::small_city(), {}, testing::date, {}, testing::small_model(), spy);
   planner.plan(at(0), quiet_reports(0, 12));
   const double usual_deviation = spy.seen->demand.deviation(1);
   double deviation = usual_deviation;
@@ -73,7 +71,7 @@ TEST(RecedingHorizonPlanner, EstimatesWhatItDoesNotBelieve) {
 TEST(RecedingHorizonPlanner, LearnsNothingFromReportsItDoesNotBelieve) {
   const Spy spy;
   const CityModel model = testing::small_model();
-  RecedingHorizonPlanner planner(testing::small_city(), {}, date, {}, model, spy);
+  RecedingHorizonPlanner planner(testing::small_city(), {}, testing::date, {}, model, spy);
   SeasonalForecaster demand(model.demand.seasonal, DayKind::weekday);
   SeasonalForecaster completions(model.completions.seasonal, DayKind::weekday);
   const double unknown = std::numeric_limits<double>::quiet_NaN();

@@ -18,7 +18,7 @@ FinishedDay day_of(const std::string& variant, const std::string& price, const s
 }
 
 /// The reference loses 100 at 10 km and 50 at 20 km on the first day, twice as many on the second.
-std::vector<FinishedDay> small_sweep() {
+std::vector<FinishedDay> days_at_two_settings() {
   return {day_of("ref", "1", "d1", 1, 10, 100), day_of("ref", "2", "d1", 1, 20, 50),
           day_of("ref", "1", "d2", 1, 10, 200), day_of("ref", "2", "d2", 1, 20, 100),
           day_of("new", "1", "d1", 1, 12, 45),  day_of("new", "2", "d1", 1, 18, 42),
@@ -26,7 +26,7 @@ std::vector<FinishedDay> small_sweep() {
 }
 
 TEST(Comparison, IsMadeAtEqualCostAndWithinTheFrontOnly) {
-  const auto rows = compare(small_sweep(), {.metric = "lost", .reference = "ref", .at = "idle_km"});
+  const auto rows = compare(days_at_two_settings(), {.metric = "lost", .reference = "ref", .at = "idle_km"});
   ASSERT_EQ(rows.size(), 3);
   EXPECT_EQ(rows[0].variant, "new");
   EXPECT_EQ(rows[0].settings, "price=1");
@@ -47,7 +47,7 @@ TEST(Comparison, IsMadeAtEqualCostAndWithinTheFrontOnly) {
 }
 
 TEST(Comparison, IsPlainlyPairedAgainstOneSetting) {
-  std::vector<FinishedDay> days = small_sweep();
+  std::vector<FinishedDay> days = days_at_two_settings();
   EXPECT_THROW(compare(days, {.metric = "lost", .reference = "ref", .at = {}}), Error);
   std::erase_if(days, [](const FinishedDay& day) { return day.variant == "ref" && day.settings.at("price") == "2"; });
   const auto rows = compare(days, {.metric = "lost", .reference = "ref", .at = {}});
@@ -57,7 +57,7 @@ TEST(Comparison, IsPlainlyPairedAgainstOneSetting) {
 }
 
 TEST(Comparison, TakesCostAtEqualServiceToo) {
-  const auto rows = compare(small_sweep(), {.metric = "idle_km", .reference = "ref", .at = "lost"});
+  const auto rows = compare(days_at_two_settings(), {.metric = "idle_km", .reference = "ref", .at = "lost"});
   ASSERT_EQ(rows.size(), 3);
   EXPECT_EQ(rows[0].pairs, 1);  // on the first day the reference never loses as few as 45
   EXPECT_DOUBLE_EQ(rows[0].reference, 16.5);
@@ -66,7 +66,7 @@ TEST(Comparison, TakesCostAtEqualServiceToo) {
 }
 
 TEST(Comparison, IsNotRelativeToNothing) {
-  const auto rows = compare(small_sweep(), {.metric = "stranded", .reference = "ref", .at = "idle_km"});
+  const auto rows = compare(days_at_two_settings(), {.metric = "stranded", .reference = "ref", .at = "idle_km"});
   ASSERT_EQ(rows.size(), 3);
   EXPECT_FALSE(rows[0].relative);
   EXPECT_EQ(rows[0].pairs, 2);
@@ -75,7 +75,7 @@ TEST(Comparison, IsNotRelativeToNothing) {
 }
 
 TEST(Comparison, PairsOnlyWhatBothHave) {
-  std::vector<FinishedDay> days = small_sweep();
+  std::vector<FinishedDay> days = days_at_two_settings();
   for (const auto& day : {day_of("new", "1", "d1", 2, 12, 1), day_of("new", "1", "d3", 1, 12, 1)}) {
     days.push_back(day);
   }
@@ -85,8 +85,8 @@ TEST(Comparison, PairsOnlyWhatBothHave) {
 }
 
 TEST(Comparison, KeepsScenariosApart) {
-  std::vector<FinishedDay> days = small_sweep();
-  for (FinishedDay day : small_sweep()) {
+  std::vector<FinishedDay> days = days_at_two_settings();
+  for (FinishedDay day : days_at_two_settings()) {
     day.scenario = "other";
     days.push_back(day);
   }
@@ -112,7 +112,7 @@ TEST(Comparison, SaysWhichSwitchDiffers) {
 TEST(Comparison, RefusesWhatItCannotAnswer) {
   const auto refuse = [](const Question& question, const std::string& word) {
     try {
-      compare(small_sweep(), question);
+      compare(days_at_two_settings(), question);
       FAIL() << word;
     } catch (const Error& error) {
       EXPECT_EQ(error.status(), ExitStatus::bad_input);

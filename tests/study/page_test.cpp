@@ -23,7 +23,7 @@ FinishedDay day_of(const std::string& variant, const std::string& price, const s
 }
 
 /// Three days; the other loses a half at the same km, and a bit less or more than that.
-std::vector<FinishedDay> small_sweep() {
+std::vector<FinishedDay> three_days() {
   std::vector<FinishedDay> days;
   for (const auto& [day, lost] : {std::pair("d1", 50.0), std::pair("d2", 51.0), std::pair("d3", 49.0)}) {
     days.push_back(day_of("ref", "1", day, 10, 120));
@@ -34,7 +34,7 @@ std::vector<FinishedDay> small_sweep() {
 }
 
 std::string page(const std::string& sections) {
-  return page_markdown(read(sections), small_sweep(), "evbal sweep a.yaml");
+  return page_markdown(read(sections), three_days(), "evbal sweep a.yaml");
 }
 
 void expect_in(const std::string& part, const std::string& text) {
@@ -65,7 +65,7 @@ TEST(Page, ComparesAndSaysWhatIsShown) {
 }
 
 TEST(Page, SaysWhenNothingIsShown) {
-  std::vector<FinishedDay> days = small_sweep();
+  std::vector<FinishedDay> days = three_days();
   days.back().totals["lost"] = 400.0;
   const Page asked = read(
       "- {title: One, compare: {variants: [new], against: [ref], metrics: [lost], at: idle_km,"
@@ -90,12 +90,12 @@ TEST(Page, PricesDays) {
                                                 "- {title: B, means: {variants: [new], metrics: [objective]}}\n",
                                                 "sweep.yaml"),
                                variants);
-  expect_in("| toy | calm | new | 115 ± 4.97 |", page_markdown(asked, small_sweep(), ""));
+  expect_in("| toy | calm | new | 115 ± 4.97 |", page_markdown(asked, three_days(), ""));
   EXPECT_THROW(read("- {title: B, means: {variants: [new], metrics: [objective]}}\n"), Error);
 }
 
 TEST(Page, KeepsItsTablesWhateverScenariosAndFaultsAreCalled) {
-  std::vector<FinishedDay> days = small_sweep();
+  std::vector<FinishedDay> days = three_days();
   for (auto& day : days) {
     day.scenario = "rush|hour";
     day.faults = "a|b";

@@ -10,7 +10,7 @@
 namespace evbal {
 namespace {
 
-const std::string head = "schema: 1\nscenario: base.yaml\ndays: [2024-01-11, 2024-01-12]\nseeds: [1, 2]\n";
+const std::string sweep_head = "schema: 1\nscenario: base.yaml\ndays: [2024-01-11, 2024-01-12]\nseeds: [1, 2]\n";
 
 /// A scenario with a fault whose time is left open, and sweeps of it.
 class SweepOfToy : public ::testing::Test {
@@ -48,7 +48,7 @@ class SweepOfToy : public ::testing::Test {
 };
 
 TEST_F(SweepOfToy, IsEveryCombinationInOrder) {
-  const Sweep sweep = read(head +
+  const Sweep sweep = read(sweep_head +
                            "faults: {calm: none, own: scenario}\n"
                            "variants:\n"
                            "  - controller: ratio\n"
@@ -74,7 +74,7 @@ TEST_F(SweepOfToy, IsEveryCombinationInOrder) {
 }
 
 TEST_F(SweepOfToy, DrawsFaultsAnewForEveryDayAndSeedAndForNothingElse) {
-  const Sweep sweep = read(head + "variants: [{controller: ratio}, {controller: none}]\n");
+  const Sweep sweep = read(sweep_head + "variants: [{controller: ratio}, {controller: none}]\n");
   ASSERT_EQ(sweep.days.size(), 8U);
   EXPECT_EQ(sweep.days[0].faults, "");
   const auto drawn = [&](std::size_t i) { return scenario_of(sweep.days[i]).schedule; };
@@ -86,7 +86,7 @@ TEST_F(SweepOfToy, DrawsFaultsAnewForEveryDayAndSeedAndForNothingElse) {
 
 TEST_F(SweepOfToy, RefusesASchedulesRuns) {
   const Sweep sweep =
-      read(head +
+      read(sweep_head +
            "faults:\n  often: {schema: 1, runs: 3, faults: [{name: a, type: travel.slow, magnitude: 2,\n"
            "    target: {pick: 1}, start: \"07:00\", duration: 1h}]}\n"
            "variants: [{controller: ratio}]\n");
@@ -99,7 +99,7 @@ TEST_F(SweepOfToy, RefusesASchedulesRuns) {
 }
 
 TEST_F(SweepOfToy, TakesSchedulesFromThreePlaces) {
-  const Sweep sweep = read(head +
+  const Sweep sweep = read(sweep_head +
                            "faults:\n"
                            "  calm: none\n"
                            "  own: {schema: 1, faults: [{name: b, type: demand.scale, target: {regions: [1]},\n"
@@ -121,7 +121,7 @@ TEST_F(SweepOfToy, TakesSeveralScenariosAndSeedsOfAVariantsOwn) {
   EXPECT_EQ(sweep.days[1].seed, 4U);
   EXPECT_EQ(sweep.days[2].scenario, "two");
   EXPECT_EQ(sweep.days[5].seed, 1U);
-  EXPECT_EQ(read(head + "variants: [{controller: none}]\n").days[0].scenario, "base");
+  EXPECT_EQ(read(sweep_head + "variants: [{controller: none}]\n").days[0].scenario, "base");
   expect_refused(several + "variants: [{controller: none}]\nscenario: base.yaml\n", 2, "keep one");
 }
 
@@ -145,7 +145,7 @@ TEST_F(SweepOfToy, TakesWhatWasTunedForEachScenario) {
   expect_refused(both + "variants: [{tuned: q}]\n", 6, "nothing called `q` was tuned");
   EXPECT_EQ(read(both + "variants: [{tuned: r, controller: none}]\n").days.front().controller, "none");
   expect_refused(both + "variants: [{tuned: r, factors: {balancing.eta: [2]}}]\n", 6, "has no factors");
-  expect_refused(head + "variants: [{controller: none, factors: {balancing.eta: [2]}}]\n", 5, "give `tuned` too");
+  expect_refused(sweep_head + "variants: [{controller: none, factors: {balancing.eta: [2]}}]\n", 5, "give `tuned` too");
 }
 
 TEST_F(SweepOfToy, MayBeCutShort) {
@@ -160,7 +160,7 @@ TEST_F(SweepOfToy, MayBeCutShort) {
 
 TEST_F(SweepOfToy, RefusesWhatIsWrong) {
   const auto variant = [](const std::string& settings) {
-    return head + "variants:\n  - {controller: ratio, settings: {" + settings + "}}\n";
+    return sweep_head + "variants:\n  - {controller: ratio, settings: {" + settings + "}}\n";
   };
   expect_refused(variant("balancing.tau: [1, 0]"), 6, "from 1");
   expect_refused(variant("balancing.tua: 1"), 6, "unknown key `tua`");
@@ -169,11 +169,12 @@ TEST_F(SweepOfToy, RefusesWhatIsWrong) {
   expect_refused(variant("day: 2024-01-11"), 6, "cannot be a setting");
   expect_refused(variant("demand: poisson"), 6, "cannot be a setting");
   expect_refused(variant("engine.x: cuts"), 6, "expected a word");
-  expect_refused(head + "variants:\n  - {controller: ratoi}\n", 6, "did you mean `ratio`");
-  expect_refused(head + "variants:\n  - {controller: ratio}\n  - {name: ratio, controller: none}\n", 7, "given twice");
-  expect_refused(head + "variants: [{name: \"a b\", controller: none}]\n", 5, "is no name");
-  expect_refused(head + "variants: [{controller: none}]\nfaults: {}\n", 6, "no schedule");
-  expect_refused(head + "variants: [{controller: none}]\njobs: 2\n", 6, "unknown key `jobs`");
+  expect_refused(sweep_head + "variants:\n  - {controller: ratoi}\n", 6, "did you mean `ratio`");
+  expect_refused(sweep_head + "variants:\n  - {controller: ratio}\n  - {name: ratio, controller: none}\n", 7,
+                 "given twice");
+  expect_refused(sweep_head + "variants: [{name: \"a b\", controller: none}]\n", 5, "is no name");
+  expect_refused(sweep_head + "variants: [{controller: none}]\nfaults: {}\n", 6, "no schedule");
+  expect_refused(sweep_head + "variants: [{controller: none}]\njobs: 2\n", 6, "unknown key `jobs`");
   expect_refused("schema: 1\nscenario: base.yaml\nvariants: [{controller: none}]\nseeds: [1]\ndays: [2024-12-24]\n", 5,
                  "2024-12-24");
 }

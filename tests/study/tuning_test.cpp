@@ -10,7 +10,7 @@
 namespace evbal {
 namespace {
 
-const std::string head =
+const std::string tuning_head =
     "schema: 1\nscenario: base.yaml\ndays: [2024-01-03, 2024-01-01]\nseeds: [7]\n"
     "faults: {calm: none, again: none}\nobjective: {idle_km: 1, lost: 20}\n";
 const std::string two_variants =
@@ -53,7 +53,7 @@ std::vector<FinishedDay> played(const Sweep& round, const std::function<double(c
 }
 
 TEST_F(TuningOfToy, SpreadsItsCandidatesOverTheRanges) {
-  const Tuning tuning = read(head + "candidates: 8\n" + two_variants);
+  const Tuning tuning = read(tuning_head + "candidates: 8\n" + two_variants);
   const auto contests = contests_of(tuning);
   ASSERT_EQ(contests.size(), 2U);
   ASSERT_EQ(contests[0].candidates.size(), 8U);
@@ -65,7 +65,7 @@ TEST_F(TuningOfToy, SpreadsItsCandidatesOverTheRanges) {
 }
 
 TEST_F(TuningOfToy, GivesEachVariantTheSameDaysAndKeepsTheBest) {
-  const Tuning tuning = read(head + "candidates: 4\n" + two_variants);
+  const Tuning tuning = read(tuning_head + "candidates: 4\n" + two_variants);
   auto contests = contests_of(tuning);
   const auto lost = [](const SweptDay& day) {
     return day.variant == "ratio" ? 1.0 / std::stod(day.settings.at("balancing.p_ratio"))
@@ -98,7 +98,8 @@ TEST_F(TuningOfToy, GivesEachVariantTheSameDaysAndKeepsTheBest) {
 
 TEST_F(TuningOfToy, IsWrittenWhateverScenariosAndSettingsAreCalled) {
   const std::string odd = "rush: \"hour\", #1";
-  std::string text = head + "candidates: 2\nvariants:\n  - {controller: ratio, settings: {engine: \"a, 'b': #c\"}, " +
+  std::string text = tuning_head +
+                     "candidates: 2\nvariants:\n  - {controller: ratio, settings: {engine: \"a, 'b': #c\"}, " +
                      "search: {balancing.p_ratio: {from: 1, to: 100}}}\n";
   const std::string one = "scenario: base.yaml";
   text.replace(text.find(one), one.size(), "scenarios: {'" + odd + "': base.yaml}");
@@ -113,7 +114,7 @@ TEST_F(TuningOfToy, IsWrittenWhateverScenariosAndSettingsAreCalled) {
 }
 
 TEST_F(TuningOfToy, MayBeCutShort) {
-  const Tuning tuning = read(head + "candidates: 8\n" + two_variants, true);
+  const Tuning tuning = read(tuning_head + "candidates: 8\n" + two_variants, true);
   EXPECT_EQ(contests_of(tuning).front().candidates.size(), 4U);
 }
 

@@ -20,7 +20,7 @@ namespace {
 /// First and last date of a stretch of days; empty: as the pack has it.
 using Stretch = std::vector<std::string>;
 
-struct Arguments {
+struct FitArguments {
   std::string city;
   int tau = BalancingParameters{}.tau;
   Stretch train;
@@ -41,7 +41,7 @@ std::vector<std::string> days_within(const City& city, const Stretch& stretch) {
   return days;
 }
 
-void fit(const Arguments& arguments) {
+void fit(const FitArguments& arguments) {
   City city = find_city(arguments.city);
   city.train_days = arguments.train.empty() ? city.train_days : days_within(city, arguments.train);
   city.test_days = arguments.test.empty() ? city.test_days : days_within(city, arguments.test);
@@ -62,7 +62,7 @@ void fit(const Arguments& arguments) {
 }  // namespace
 
 void add_fit_command(CLI::App& app) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<FitArguments>();
   CLI::App* command = app.add_subcommand("fit", "Estimate forecasts, uncertainty sets and transitions of a city");
   command->add_option("city", arguments->city, "Shipped city or folder of a pack")->required();
   command->add_option("--out", arguments->out, "File to write; without it, model.json beside the pack");

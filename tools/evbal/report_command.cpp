@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct ReportArguments {
   std::vector<std::string> folders;
   std::vector<std::string> against;
   std::string out;
@@ -37,7 +37,7 @@ std::vector<fs::path> runs_in(const fs::path& folder) {
   return found.empty() ? std::vector<fs::path>{folder} : found;
 }
 
-PageContent content_of(const Arguments& arguments) {
+PageContent content_of(const ReportArguments& arguments) {
   std::optional<fs::path> sweep;
   std::vector<RecordedRun> runs;
   for (const fs::path given : arguments.folders) {
@@ -58,7 +58,7 @@ PageContent content_of(const Arguments& arguments) {
   return sweep ? content_on(*sweep, arguments.against, runs) : content_on(runs);
 }
 
-void report(const Arguments& arguments) {
+void report(const ReportArguments& arguments) {
   const fs::path folder = arguments.folders.size() == 1 ? arguments.folders.front() : ".";
   const fs::path page = arguments.out.empty() ? folder / "report.html" : fs::path(arguments.out);
   write_file(page, report_page(content_of(arguments)));
@@ -72,7 +72,7 @@ void write_report(const fs::path& page, const std::vector<RecordedRun>& runs) {
 }
 
 void add_report_command(CLI::App& app) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<ReportArguments>();
   CLI::App* command = app.add_subcommand("report", "Write one HTML page on finished runs, or on a sweep");
   command->add_option("DIR", arguments->folders, "Run directories, directories of them, or a sweep's")->required();
   command->add_option("--against", arguments->against, "Variants of the sweep to compare the others with");

@@ -28,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct RunArguments {
   fs::path scenario;
   Overrides overrides;
   std::string out;
@@ -151,7 +151,7 @@ void play_all_draws(const Draws& draws, const OutFolder& out, bool over_bus, boo
   }
 }
 
-void run(const Arguments& arguments) {
+void run(const RunArguments& arguments) {
   catch_interrupts();
   const Scenario scenario = read_scenario(find_scenario(arguments.scenario), arguments.overrides);
   check_planning(scenario);
@@ -176,7 +176,7 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_run_command(CLI::App& app) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<RunArguments>();
   CLI::App* command = app.add_subcommand("run", "Play the day of a scenario and record it");
   command->add_option("SCENARIO", arguments->scenario, "Scenario file (YAML), or the name of a shipped one")
       ->required();

@@ -20,25 +20,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct SweepArguments {
   fs::path sweep;  ///< as given
   std::string out;
   bool quick = false;
   PlayingOptions options;
 };
 
-fs::path folder_of(const Arguments& arguments) {
+fs::path folder_of(const SweepArguments& arguments) {
   const std::string name = arguments.sweep.stem().string() + (arguments.quick ? "-quick" : "");
   return arguments.out.empty() ? fs::path("runs") / name : fs::path(arguments.out);
 }
 
 /// What the sweep's tuning froze; an empty path if it has none.
-fs::path tuned_first(const Arguments& arguments) {
+fs::path tuned_first(const SweepArguments& arguments) {
   const fs::path tuning = tuning_of(find_study(arguments.sweep));
   return tuning.empty() ? fs::path() : tune({tuning, folder_of(arguments), arguments.quick, arguments.options});
 }
 
-void sweep(const Arguments& arguments) {
+void sweep(const SweepArguments& arguments) {
   catch_interrupts();
   const fs::path file = find_study(arguments.sweep);
   const Sweep sweep = read_sweep(file, {arguments.quick, tuned_first(arguments)});
@@ -65,7 +65,7 @@ void sweep(const Arguments& arguments) {
 }  // namespace
 
 void add_sweep_command(CLI::App& app) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<SweepArguments>();
   CLI::App* command = app.add_subcommand("sweep", "Play the days of a sweep that are not played yet");
   command->add_option("SWEEP", arguments->sweep, "Sweep file (YAML), or the name of a shipped one")->required();
   command->add_option("--out", arguments->out, "Directory, new or of this sweep; otherwise one under runs/");

@@ -7,6 +7,7 @@
 #include "tools/ingest/course.hpp"
 #include "tools/ingest/ingest_partition.hpp"
 #include "tools/ingest/od_notes.hpp"
+#include "tools/ingest/rounding.hpp"
 #include "tools/records/row_tally.hpp"
 
 #include <algorithm>
@@ -18,10 +19,6 @@ namespace evbal {
 namespace {
 
 constexpr int kMostTrips = 1'000'000;
-
-double rounded(double value, double parts) {
-  return std::round(value * parts) / parts;
-}
 
 /// Trips between cells; a cell is told by the degrees of its centre.
 struct CellTrips {
@@ -143,7 +140,7 @@ class TripEnds {
       if (sums.trips > 0.0) {
         const LocalPoint mean{sums.east / sums.trips, sums.north / sums.trips};
         const LatLon centroid = frame_.global(mean);
-        regions[r].centroid = {rounded(centroid.lat, 1e5), rounded(centroid.lon, 1e5)};
+        regions[r].centroid = rounded(centroid);
         square += std::max(0.0, sums.square / sums.trips - mean.east * mean.east - mean.north * mean.north);
       }
       spread.push_back(rounded(std::sqrt(square) / 1000.0, 1e3));

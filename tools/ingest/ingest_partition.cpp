@@ -3,6 +3,7 @@
 #include "common/table_text.hpp"
 #include "tools/ingest/merge_zones.hpp"
 #include "tools/ingest/outlines.hpp"
+#include "tools/ingest/rounding.hpp"
 #include "tools/ingest/shared_borders.hpp"
 #include "tools/records/dropped.hpp"
 
@@ -13,12 +14,7 @@
 namespace evbal {
 namespace {
 
-constexpr double kBorderTolerance = 10.0;   // m
-constexpr double kOutlineTolerance = 30.0;  // m
-
-LatLon rounded(LatLon point) {
-  return {std::round(point.lat * 1e5) / 1e5, std::round(point.lon * 1e5) / 1e5};
-}
+constexpr double kBorderTolerance = 10.0;  // m
 
 /// Centres of the regions' area.
 std::vector<LatLon> centres_of(const std::vector<Zone>& zones, const std::vector<int>& region_of, int regions) {
@@ -70,7 +66,7 @@ Partition partition_zones(ZoneFile file, int regions) {
     throw with_report(error, file.report);
   }
   made.region_of = std::move(merged.region_of);
-  const auto outlines = merged_outlines(made.zones, made.region_of, regions, kOutlineTolerance);
+  const auto outlines = merged_outlines(made.zones, made.region_of, regions, outline_tolerance_m);
   const auto centres = centres_of(made.zones, made.region_of, regions);
   for (int r = 0; r < regions; ++r) {
     made.regions.push_back({merged.names[r], outlines[r], centres[r]});

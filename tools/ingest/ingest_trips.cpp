@@ -4,6 +4,7 @@
 #include "common/error.hpp"
 #include "tools/ingest/merge_zones.hpp"
 #include "tools/ingest/outlines.hpp"
+#include "tools/ingest/rounding.hpp"
 #include "tools/ingest/sessions.hpp"
 #include "tools/ingest/stations.hpp"
 #include "tools/ingest/travel.hpp"
@@ -20,18 +21,8 @@
 namespace evbal {
 namespace {
 
-constexpr double kOutlineTolerance = 30.0;  // m
-constexpr double kPriorTrips = 10.0;        // weight of the travel law against a pair's own trips
+constexpr double kPriorTrips = 10.0;  // weight of the travel law against a pair's own trips
 constexpr int kSessionQuantiles = 21;
-
-/// To the nearest 1 / `parts`, so that it is short in a file.
-double rounded(double value, double parts) {
-  return std::round(value * parts) / parts;
-}
-
-LatLon rounded(LatLon point) {
-  return {rounded(point.lat, 1e5), rounded(point.lon, 1e5)};
-}
 
 /// Latitude and longitude as a message shows them.
 std::string place_text(LatLon place) {
@@ -188,7 +179,7 @@ std::vector<DemandDay> demand_days(const City& city, const Counts& counts) {
 
 void add_regions(City& city, const std::vector<Zone>& zones, const MergedZones& merged, const TravelSums& travel) {
   const auto regions = static_cast<int>(merged.names.size());
-  const auto outlines = merged_outlines(zones, merged.region_of, regions, kOutlineTolerance);
+  const auto outlines = merged_outlines(zones, merged.region_of, regions, outline_tolerance_m);
   std::vector<LatLon> corners;
   corners.reserve(outlines.size());
   for (const auto& outline : outlines) {

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 void play_sweep(const Sweep& sweep, const std::vector<std::string>& keys, const SweepFolder& folder,
                 const Playing& playing) {
-  const fs::path file = folder.file();
+  const fs::path& file = folder.file();
   const fs::path tasks = fs::path(file).replace_extension(".slurm");
   const auto merge = [&](const fs::path& result) { merge_result(file, result); };
   if (fs::exists(tasks)) {

@@ -44,7 +44,7 @@ std::string submit(const JobArray& array) {
   }
   command.push_back(array.script.string());
   const std::string said = answer(command);
-  const std::string id = said.substr(0, said.find_first_of(";\n"));  // a cluster's name may follow
+  std::string id = said.substr(0, said.find_first_of(";\n"));  // a cluster's name may follow
   if (!is_id(id)) {
     throw run_failed("`" + shown(command) + "` said `" + said + "`, which is no job id; see `squeue --me`");
   }

@@ -3,6 +3,7 @@
 #include "common/error.hpp"
 #include "common/yaml.hpp"
 #include "experiments/study/statistics/front.hpp"
+#include "experiments/study/statistics/replication.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,12 +19,6 @@ namespace evbal {
 namespace {
 
 /// What the days of a comparison share.
-using Replication = std::tuple<std::string, std::string, std::string, std::uint64_t>;
-
-Replication replication_of(const FinishedDay& day) {
-  return {day.scenario, day.faults, day.day, day.seed};
-}
-
 /// A point of a variant on a day and seed beside the reference's; or the mean of several.
 struct Pair {
   double at = 0.0;

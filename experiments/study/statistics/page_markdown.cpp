@@ -5,6 +5,7 @@
 #include "experiments/study/statistics/markdown.hpp"
 #include "experiments/study/statistics/page_comparison.hpp"
 #include "experiments/study/statistics/ranks.hpp"
+#include "experiments/study/statistics/replication.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -52,12 +53,11 @@ std::string means(const MeansSection& section, const std::vector<FinishedDay>& d
 }
 
 std::string correlated(const CorrelateSection& section, const std::vector<FinishedDay>& days) {
-  using Replication = std::tuple<std::string, std::string, std::string, std::uint64_t>;
   std::map<Replication, std::vector<const FinishedDay*>> replications;
   std::vector<std::pair<std::string, std::string>> rows;
   for (const auto& day : days) {
     if (contains(section.variants, day.variant)) {
-      replications[{day.scenario, day.faults, day.day, day.seed}].push_back(&day);
+      replications[replication_of(day)].push_back(&day);
       if (const std::pair row(day.scenario, day.faults); std::find(rows.begin(), rows.end(), row) == rows.end()) {
         rows.push_back(row);
       }
