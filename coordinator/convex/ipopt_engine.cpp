@@ -8,8 +8,10 @@
 #include <ClpSimplex.hpp>
 #include <IpIpoptApplication.hpp>
 #include <IpSolveStatistics.hpp>
+#include <dlfcn.h>
 
 #include <atomic>
+#include <cstdlib>
 #include <string>
 
 namespace evbal {
@@ -140,3 +142,12 @@ Solution solve_with_ipopt(const ConvexProgram& program, const EngineSettings& se
 }
 
 }  // namespace evbal
+
+// Debian 13 builds Ipopt's MUMPS with MPI, and Ipopt starts MPI as soon as it is loaded. Of Open MPI's transports only
+// the one within a process is needed here; that through shared memory leaves a file behind in /dev/shm.
+extern "C" int MPI_Init(int* argc, char*** argv) {
+  using Init = int(int*, char***);
+  setenv("OMPI_MCA_btl", "self", 1);
+  auto* const init = reinterpret_cast<Init*>(dlsym(RTLD_NEXT, "MPI_Init"));
+  return init(argc, argv);
+}
