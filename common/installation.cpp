@@ -1,13 +1,13 @@
 #include "common/installation.hpp"
 
 #include "common/error.hpp"
+#include "common/suggestion.hpp"
 
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <sstream>
-#include <vector>
 
 namespace evbal {
 
@@ -49,9 +49,27 @@ fs::path shipped_folder(const std::string& name) {
   return {};
 }
 
+std::vector<std::string> shipped_names(const std::string& name) {
+  std::vector<std::string> names;
+  std::error_code unreadable;
+  for (fs::directory_iterator entry(shipped_folder(name), unreadable), end; !unreadable && entry != end;
+       entry.increment(unreadable)) {
+    names.push_back(entry->path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 fs::path find_shipped(const std::string& name, const fs::path& given) {
-  const fs::path shipped = shipped_folder(name) / given;
-  return !given.has_parent_path() && !fs::exists(given) && fs::exists(shipped) ? shipped : given;
+  if (given.has_parent_path() || fs::exists(given)) {
+    return given;
+  }
+  if (fs::path shipped = shipped_folder(name) / given; fs::exists(shipped)) {
+    return shipped;
+  }
+  throw bad_input(given.string(), 0,
+                  "cannot be read" + did_you_mean(given.string(), shipped_names(name)) +
+                      "; give an existing YAML file, or the name of one that `evbal list " + name + "` shows");
 }
 
 }  // namespace evbal

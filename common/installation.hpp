@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace evbal {
 
@@ -16,8 +17,11 @@ std::filesystem::path find_program(const std::string& name);
 /// stands nearest above this program, in an installation as in a build tree; empty if there is none.
 std::filesystem::path shipped_folder(const std::string& name);
 
+/// Names of what is shipped in the folder NAME, sorted.
+std::vector<std::string> shipped_names(const std::string& name);
+
 /// The file that a command line names: a path, or without a folder and where there is no such file, the name of one
-/// that is shipped in the folder NAME.
+/// that is shipped in the folder NAME. Throws Error{bad_input} if there is neither.
 std::filesystem::path find_shipped(const std::string& name, const std::filesystem::path& given);
 
 }  // namespace evbal

@@ -32,8 +32,14 @@ int line_of_second(const std::vector<YAML::Node>& documents, const std::string& 
 
 }  // namespace
 
-YamlValue::YamlValue(std::shared_ptr<const YAML::Node> node, std::shared_ptr<const std::string> file)
-    : node_(std::move(node)), file_(std::move(file)) {}
+/// What was read.
+struct YamlValue::Source {
+  std::string name;       ///< of the file, or an option
+  bool has_lines = true;  ///< it is a file
+};
+
+YamlValue::YamlValue(std::shared_ptr<const YAML::Node> node, std::shared_ptr<const Source> source)
+    : node_(std::move(node)), source_(std::move(source)) {}
 
 YamlValue YamlValue::load(const std::filesystem::path& file) {
   std::ifstream in(file);
@@ -46,19 +52,29 @@ YamlValue YamlValue::load(const std::filesystem::path& file) {
 }
 
 YamlValue YamlValue::parse(const std::string& text, const std::string& name) {
+  return parse(text, Source{name});
+}
+
+YamlValue YamlValue::parse_option(const std::string& text, const std::string& option) {
+  return parse(text, Source{.name = option, .has_lines = false});
+}
+
+YamlValue YamlValue::parse(const std::string& text, Source source) {
+  const std::string name = source.name;
+  const auto line = [&source](int number) { return source.has_lines ? number : 0; };
   try {
     check_characters(text, name);
     const std::vector<YAML::Node> documents = YAML::LoadAll(text);
     if (documents.size() > 1) {
-      throw bad_input(name, line_of_second(documents, text),
+      throw bad_input(name, line(line_of_second(documents, text)),
                       "a second document begins after `---` or `...`; leave one document in the file");
     }
     if (documents.empty() || documents.front().IsNull()) {
-      throw bad_input(name, 1, "is empty; a YAML map is expected");
+      throw bad_input(name, line(1), source.has_lines ? "is empty; a YAML map is expected" : "is empty; give a value");
     }
-    return {std::make_shared<YAML::Node>(documents.front()), std::make_shared<std::string>(name)};
+    return {std::make_shared<YAML::Node>(documents.front()), std::make_shared<Source>(std::move(source))};
   } catch (const YAML::Exception& e) {
-    throw bad_input(name, e.mark.line + 1, "not valid YAML: " + e.msg);
+    throw bad_input(name, line(e.mark.line + 1), "not valid YAML: " + e.msg);
   }
 }
 
@@ -75,6 +91,9 @@ bool YamlValue::is_scalar() const {
 }
 
 int YamlValue::line() const {
+  if (!source_->has_lines) {
+    return 0;
+  }
   if (node_->Mark().is_null() && !settings_.empty()) {  // a map that is there for its settings only
     return settings_.front().value.line();
   }
@@ -82,11 +101,11 @@ int YamlValue::line() const {
 }
 
 const std::string& YamlValue::file() const {
-  return *file_;
+  return source_->name;
 }
 
 Error YamlValue::error(const std::string& message) const {
-  return bad_input(*file_, line(), message);
+  return bad_input(file(), line(), message);
 }
 
 std::vector<YamlValue> YamlValue::items() const {
@@ -95,7 +114,7 @@ std::vector<YamlValue> YamlValue::items() const {
   }
   std::vector<YamlValue> values;
   for (const auto& item : *node_) {
-    values.push_back({std::make_shared<YAML::Node>(item), file_});
+    values.push_back({std::make_shared<YAML::Node>(item), source_});
   }
   return values;
 }
@@ -115,9 +134,9 @@ YamlMap::YamlMap(const YamlValue& value) : value_(value) {
     throw value.error("expected a map of `key: value`");
   }
   for (const auto& entry : *value.node_) {
-    const YamlValue key{std::make_shared<YAML::Node>(entry.first), value.file_};
+    const YamlValue key{std::make_shared<YAML::Node>(entry.first), value.source_};
     const std::string name = key.text();
-    const YamlValue content{std::make_shared<YAML::Node>(entry.second), value.file_};
+    const YamlValue content{std::make_shared<YAML::Node>(entry.second), value.source_};
     if (!entries_.emplace(name, content).second) {
       throw key.error("key `" + name + "` is given twice");
     }
@@ -138,7 +157,7 @@ void YamlMap::set(const YamlValue::Setting& setting) {
     if (found != entries_.end() && !found->second.is_map()) {
       throw setting.value.error("`" + key + "` holds no keys, so none can be set in it");
     }
-    const YamlValue empty{std::make_shared<YAML::Node>(YAML::NodeType::Map), setting.value.file_};
+    const YamlValue empty{std::make_shared<YAML::Node>(YAML::NodeType::Map), setting.value.source_};
     content = (found == entries_.end() ? empty : found->second).with(setting.path.substr(dot + 1), setting.value);
   }
   if (found == entries_.end()) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/error.hpp"
+#include "common/suggestion.hpp"
 
 #include <filesystem>
 #include <map>
@@ -27,6 +28,10 @@ class YamlValue {
 
   /// Reads `text`; `name` stands for the file in messages.
   static YamlValue parse(const std::string& text, const std::string& name);
+
+  /// Reads what the command line gives `option`, which stands for the file in messages and has no lines. Paths in it
+  /// are taken from the current directory.
+  static YamlValue parse_option(const std::string& text, const std::string& option);
 
   /// Whether it is a map.
   bool is_map() const;
@@ -80,22 +85,25 @@ class YamlValue {
 
   /// An Error{bad_input} at its line.
   Error error(const std::string& message) const;
-  /// In the file, from 1.
+  /// In the file, from 1; 0 if it was read from no file.
   int line() const;
-  /// That it was read from.
+  /// That it was read from, or the option.
   const std::string& file() const;
 
  private:
   friend class YamlMap;
   friend class YamlWriter;
-  YamlValue(std::shared_ptr<const YAML::Node> node, std::shared_ptr<const std::string> file);
+
+  struct Source;
+  YamlValue(std::shared_ptr<const YAML::Node> node, std::shared_ptr<const Source> source);
+  static YamlValue parse(const std::string& text, Source source);
 
   const std::string& scalar(const char* expected) const;
 
   struct Setting;
 
   std::shared_ptr<const YAML::Node> node_;
-  std::shared_ptr<const std::string> file_;
+  std::shared_ptr<const Source> source_;
   std::vector<Setting> settings_;  ///< that stand in place of the node's own, or beside them
 };
 
@@ -135,11 +143,5 @@ class YamlMap {
   std::map<std::string, YamlValue> key_places_;
   std::set<std::string> known_;
 };
-
-/// "`a`, `b`": words that may be chosen, for messages.
-std::string listed(const std::vector<std::string>& words);
-
-/// The word in `words` closest to `word`, as " (did you mean `x`?)", empty if none is close.
-std::string did_you_mean(std::string_view word, const std::vector<std::string>& words);
 
 }  // namespace evbal

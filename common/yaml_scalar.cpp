@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <numeric>
 
 namespace evbal {
 namespace {
@@ -43,40 +42,7 @@ std::optional<Integer> parsed_integer(std::string_view text) {
   return value;
 }
 
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
-    }
-  }
-  return row[b.size()];
-}
-
 }  // namespace
-
-std::string listed(const std::vector<std::string>& words) {
-  std::string text;
-  for (const auto& word : words) {
-    text += (text.empty() ? "`" : ", `") + word + "`";
-  }
-  return text;
-}
-
-std::string did_you_mean(std::string_view word, const std::vector<std::string>& words) {
-  const auto best = std::min_element(words.begin(), words.end(), [&](const auto& a, const auto& b) {
-    return edit_distance(word, a) < edit_distance(word, b);
-  });
-  if (best == words.end() || edit_distance(word, *best) > std::max<std::size_t>(2, best->size() / 3)) {
-    return "";
-  }
-  return " (did you mean `" + *best + "`?)";
-}
 
 const std::string& YamlValue::scalar(const char* expected) const {
   if (!node_->IsScalar()) {
@@ -211,11 +177,10 @@ int YamlValue::time_of_day() const {
 
 std::size_t YamlValue::one_of(const std::vector<std::string>& words) const {
   const std::string& text = scalar("a word");
-  const auto found = std::find(words.begin(), words.end(), text);
-  if (found == words.end()) {
-    throw error("`" + text + "` is not known" + did_you_mean(text, words) + "; choose one of " + listed(words));
+  if (const auto wrong = word_complaint(text, words); !wrong.empty()) {
+    throw error(wrong);
   }
-  return static_cast<std::size_t>(found - words.begin());
+  return static_cast<std::size_t>(std::find(words.begin(), words.end(), text) - words.begin());
 }
 
 }  // namespace evbal

@@ -8,6 +8,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <sstream>
 
 namespace evbal {
@@ -52,7 +53,7 @@ std::optional<fs::path> pack_folder(const std::string& given, const fs::path& ba
 }
 
 std::string no_pack(const std::string& given) {
-  return "city `" + given + "` is neither a shipped pack nor a folder";
+  return "city `" + given + "` is neither a shipped pack nor a folder" + did_you_mean(given, pack_names());
 }
 
 /// A process reads a pack once: a sweep asks for the same ones for each of its days.
@@ -247,6 +248,20 @@ void share_pack_folders() {
     list += (list.empty() ? "" : ":") + fs::absolute(folder).string();
   }
   setenv(pack_variable, list.c_str(), 1);
+}
+
+std::vector<std::string> pack_names() {
+  std::set<std::string> names;
+  for (const auto& folder : pack_folders()) {
+    std::error_code unreadable;
+    for (fs::directory_iterator entry(folder, unreadable), end; !unreadable && entry != end;
+         entry.increment(unreadable)) {
+      if (fs::exists(entry->path() / "city.yaml", unreadable)) {
+        names.insert(entry->path().filename().string());
+      }
+    }
+  }
+  return {names.begin(), names.end()};
 }
 
 City find_city(const std::string& name) {

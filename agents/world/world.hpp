@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace evbal {
 
@@ -32,6 +33,9 @@ MessageBounds bounds_of(const World& world);
 /// Has the processes that this one starts look for packs where this one does, wherever their programs are: puts the
 /// folders into EVBAL_CITIES, which lists them with colons. To be called before there are threads.
 void share_pack_folders();
+
+/// Names of the packs that go by name, sorted.
+std::vector<std::string> pack_names();
 
 /// The city that a command line names: a shipped pack, else a folder. Throws Error{bad_input}.
 City find_city(const std::string& name);

@@ -20,6 +20,7 @@ struct Controller {
   PlanFunction plan;           ///< how it plans
   bool draws_samples = false;  ///< plans for PlanningData::demand_samples
   bool foresees = false;       ///< is told the true demand in place of a forecast
+  std::string about{};         ///< what it is, in a line
 };
 
 /// Solves the balancing problem with these options.

@@ -181,19 +181,24 @@ void mark_complete(const fs::path& folder) {
   fs::remove(folder / "INCOMPLETE");
 }
 
-RunResult RunRecord::finish() {
+RunResult RunRecord::finish(const std::optional<CrossChecked>& cross_check) {
   const DayClock& clock = header_.frame.clock;
   EVBAL_EXPECT(static_cast<int>(ticks_.size()) == clock.ticks(), "every tick of the day");
   note_not_injected();
   file_.commit();
   const DayMetrics day = measure(header_.frame, ticks_);
-  const std::string digest = digest_.hex();
-  const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+  const RunResult result{.folder = folder_,
+                         .controller = header_.controller,
+                         .digest = digest_.hex(),
+                         .totals = day.totals,
+                         .fallbacks = count_fallbacks(ticks_),
+                         .wall_seconds = std::chrono::duration<double>(last_ - start_).count(),
+                         .cross_check = cross_check};
   write_file(folder_ / "steps.csv", steps_csv(clock, day));
   write_file(folder_ / "regions.csv", regions_csv(clock, day));
-  write_file(folder_ / "summary.json", summary_json(header_, day, digest, ticks_, tick_seconds_, seconds));
+  write_file(folder_ / "summary.json", summary_json(header_, day, result, ticks_, tick_seconds_));
   finished_ = true;
-  return {folder_, header_.controller, digest, day.totals, count_fallbacks(ticks_), seconds};
+  return result;
 }
 
 }  // namespace evbal

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,14 +33,23 @@ struct RunHeader {
   std::vector<RequestedFault> faults;          ///< in the order of the schedule
 };
 
+/// How the objectives of plans differ from those of the same plans by another engine.
+struct CrossChecked {
+  std::string engine;       ///< name of the other one
+  int plans = 0;            ///< that both solved
+  int unsolved = 0;         ///< that the other one did not bring to an optimum
+  double difference = 0.0;  ///< over those that both solved, the largest |a - b| / max(1, |b|), b by the other one
+};
+
 /// What a finished run came to.
 struct RunResult {
-  std::filesystem::path folder;  ///< of the run
-  std::string controller;        ///< its name
-  std::string digest;            ///< of all that was said
-  Totals totals;                 ///< of the day
-  int fallbacks = 0;             ///< plans that were not the controller's own
-  double wall_seconds = 0.0;     ///< that the run took
+  std::filesystem::path folder;               ///< of the run
+  std::string controller;                     ///< its name
+  std::string digest;                         ///< of all that was said
+  Totals totals;                              ///< of the day
+  int fallbacks = 0;                          ///< plans that were not the controller's own
+  double wall_seconds = 0.0;                  ///< from the start to the end of the last tick
+  std::optional<CrossChecked> cross_check{};  ///< if plans were solved again
 };
 
 /// A run's directory, written while the day goes on:
@@ -70,9 +80,12 @@ class RunRecord {
   /// written.
   void break_off(const std::string& why);
 
+  /// What was added.
+  std::span<const TickRecord> ticks() const { return ticks_; }
+
   /// Writes what is still missing but for what others add, who call mark_complete() at last. All steps of the day must
   /// have been added.
-  RunResult finish();
+  RunResult finish(const std::optional<CrossChecked>& cross_check = {});
 
  private:
   using Clock = std::chrono::steady_clock;

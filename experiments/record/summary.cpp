@@ -36,7 +36,7 @@ Json totals_json(const Totals& totals) {
   return json;
 }
 
-Json solver_json(const RunHeader& header, std::span<const TickRecord> ticks) {
+Json solver_json(const RunHeader& header, const RunResult& result, std::span<const TickRecord> ticks) {
   std::vector<double> seconds;
   std::int64_t iterations = 0;
   double violation = 0.0;
@@ -54,9 +54,16 @@ Json solver_json(const RunHeader& header, std::span<const TickRecord> ticks) {
   for (const double value : seconds) {
     total += value;
   }
-  return {{"engine", header.engine},  {"solves", seconds.size()},          {"fallbacks", count_fallbacks(ticks)},
-          {"iterations", iterations}, {"max_violation", violation},        {"max_gap", gap},
-          {"seconds", total},         {"seconds_median", median(seconds)}, {"seconds_max", largest(seconds)}};
+  Json json = {{"engine", header.engine},  {"solves", seconds.size()},          {"fallbacks", result.fallbacks},
+               {"iterations", iterations}, {"max_violation", violation},        {"max_gap", gap},
+               {"seconds", total},         {"seconds_median", median(seconds)}, {"seconds_max", largest(seconds)}};
+  if (const auto& check = result.cross_check) {
+    json["cross_check"] = {{"engine", check->engine},
+                           {"plans", check->plans},
+                           {"unsolved", check->unsolved},
+                           {"max_relative_difference", check->difference}};
+  }
+  return json;
 }
 
 Json processes_json(std::span<const TickRecord> ticks) {
@@ -127,14 +134,14 @@ std::int64_t fleet_of(const DayMetrics& day) {
 
 }  // namespace
 
-std::string summary_json(const RunHeader& header, const DayMetrics& day, const std::string& digest,
-                         std::span<const TickRecord> ticks, std::span<const double> tick_seconds, double wall_seconds) {
+std::string summary_json(const RunHeader& header, const DayMetrics& day, const RunResult& result,
+                         std::span<const TickRecord> ticks, std::span<const double> tick_seconds) {
   Json json = {{"scenario", header.scenario},
                {"date", header.date},
                {"seed", header.seed},
                {"controller", header.controller},
                {"transport", header.transport},
-               {"digest", digest},
+               {"digest", result.digest},
                {"scenario_digest", text_digest(header.resolved)},
                {"pack_digest", header.inputs.pack},
                {"model_digest", header.inputs.model},
@@ -146,10 +153,10 @@ std::string summary_json(const RunHeader& header, const DayMetrics& day, const s
                {"fleet", fleet_of(day)},
                {"fleet_conserved", day.fleet_conserved},
                {"totals", totals_json(day.totals)},
-               {"solver", solver_json(header, ticks)},
+               {"solver", solver_json(header, result, ticks)},
                {"processes", processes_json(ticks)},
                {"step_seconds", step_seconds_json(header.frame.clock, ticks, tick_seconds)},
-               {"wall_seconds", wall_seconds}};
+               {"wall_seconds", result.wall_seconds}};
   if (header.network) {
     json["network"] = network_json(*header.network, ticks, tick_seconds);
   }

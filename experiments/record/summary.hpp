@@ -15,7 +15,8 @@ namespace evbal {
 ///     steps, step_minutes, regions, fleet, fleet_conserved
 ///     totals       by the names of metrics/columns.hpp
 ///     solver       engine, solves, fallbacks, iterations, max_violation, max_gap, seconds in all,
-///                  seconds_median, seconds_max of a solve (CPU)
+///                  seconds_median, seconds_max of a solve (CPU); cross_check: engine, plans,
+///                  unsolved, max_relative_difference, if plans were solved again by another engine
 ///     processes    how many processes wrote for the agents, the coordinator and the injector, the launcher left out:
 ///                  0 in one process; and how often one was started again
 ///     step_seconds wall time of a step: median, max, and median of what is left without the solver
@@ -26,8 +27,8 @@ namespace evbal {
 ///
 /// `program`, `transport`, `processes`, `network`, `dds_profiles` and what is measured in seconds depend on how the day was run,
 /// nothing else does.
-std::string summary_json(const RunHeader& header, const DayMetrics& day, const std::string& digest,
-                         std::span<const TickRecord> ticks, std::span<const double> tick_seconds, double wall_seconds);
+std::string summary_json(const RunHeader& header, const DayMetrics& day, const RunResult& result,
+                         std::span<const TickRecord> ticks, std::span<const double> tick_seconds);
 
 /// Plans that were not the controller's own.
 int count_fallbacks(std::span<const TickRecord> ticks);

@@ -1,33 +1,22 @@
 #include "experiments/run/record_day.hpp"
 
-#include "agents/world/draws.hpp"
 #include "common/error.hpp"
 #include "common/files.hpp"
 #include "common/installation.hpp"
 #include "common/interrupt.hpp"
-#include "coordinator/planning/receding_horizon_planner.hpp"
 #include "experiments/conductor/dds_players.hpp"
 #include "experiments/conductor/inproc_players.hpp"
 #include "experiments/conductor/run_day.hpp"
 #include "experiments/record/row.hpp"
 #include "experiments/record/summary.hpp"
+#include "experiments/run/cross_check.hpp"
+#include "experiments/run/scenario_planner.hpp"
 #include "experiments/scenario/input_digests.hpp"
 
 #include <memory>
 
 namespace evbal {
 namespace {
-
-std::shared_ptr<RecedingHorizonPlanner> planner_of(const Scenario& scenario) {
-  const World& world = scenario.world;
-  auto planner = std::make_shared<RecedingHorizonPlanner>(world.city, world.clock, world.day.date, scenario.planning,
-                                                          read_model(model_file(scenario.planning, world.city)));
-  if (foresees(scenario.planning.controller)) {
-    planner->foresee(
-        demand_by_tick(world, [&](int tick) { return faults_at(scenario.schedule, world.clock, tick).effects; }));
-  }
-  return planner;
-}
 
 /// The coordinator's command with its program as it will be started. Throws Error{bad_input} if there is no such
 /// program.
@@ -110,7 +99,7 @@ RunResult play_and_record(const Scenario& scenario, const std::string& resolved,
     record.break_off(error.what());
     throw;
   }
-  return record.finish();
+  return record.finish(cross_check(scenario, record.ticks()));
 }
 
 DayResult play_without_record(const Scenario& scenario, Players& players) {
@@ -135,6 +124,7 @@ Scenario with_controller(Scenario scenario, const std::string& controller) {
 Scenario without_faults(Scenario scenario) {
   scenario.schedule.faults.clear();
   scenario.expect.clear();
+  scenario.cross_check = CrossCheck::off;
   scenario.transport = own_transport(scenario);
   scenario.network.reset();
   scenario.dds_profiles.clear();

@@ -11,6 +11,7 @@ namespace evbal {
 namespace {
 
 const std::vector<std::string> transports = {"dds", "inproc"};
+const std::vector<std::string> cross_checks = {"off", "ipopt", "every"};  // by CrossCheck
 
 std::vector<std::string> read_controllers(YamlMap& map, const PlanningSettings& planning) {
   const auto list = map.find("controllers");
@@ -59,11 +60,10 @@ void read_faults(YamlMap& scenario_map, const std::optional<std::filesystem::pat
 
 /// A word of the command line that must be one of `words`.
 std::string known_word(const std::string& option, const std::string& word, const std::vector<std::string>& words) {
-  if (std::find(words.begin(), words.end(), word) != words.end()) {
-    return word;
+  if (const auto wrong = word_complaint(word, words); !wrong.empty()) {
+    throw bad_input(option + ": " + wrong);
   }
-  throw bad_input(option + ": `" + word + "` is not known" + did_you_mean(word, words) + "; choose one of " +
-                  listed(words));
+  return word;
 }
 
 /// A controller of the command line: one of evbal's or, with another coordinator, any that may have a name.
@@ -135,12 +135,24 @@ std::filesystem::path find_scenario(const std::filesystem::path& given) {
   return find_shipped("scenarios", given);
 }
 
+YamlValue with_settings(YamlValue scenario, const std::vector<std::string>& settings) {
+  for (const std::string& setting : settings) {
+    const std::size_t equals = setting.find('=');
+    if (equals == 0 || equals == std::string::npos) {
+      throw bad_input("--set: `" + setting + "` is no setting; write KEY=VALUE, such as balancing.p_shortage=20");
+    }
+    const std::string key = setting.substr(0, equals);
+    scenario = scenario.with(key, YamlValue::parse_option(setting.substr(equals + 1), "--set " + key));
+  }
+  return scenario;
+}
+
 Scenario read_scenario(const std::filesystem::path& file, const Overrides& overrides) {
   return read_scenario(YamlValue::load(file), overrides);
 }
 
 Scenario read_scenario(const YamlValue& yaml, const Overrides& overrides) {
-  YamlMap map(yaml);
+  YamlMap map(with_settings(yaml, overrides.settings));
   map.require("schema").integer(1, 1);
   Scenario scenario;
   scenario.name = read_name(map);
@@ -161,6 +173,9 @@ Scenario read_scenario(const YamlValue& yaml, const Overrides& overrides) {
   if (const auto expect = map.find("expect")) {
     scenario.expect = read_expect(*expect);
   }
+  if (const auto check = map.find("cross_check")) {
+    scenario.cross_check = static_cast<CrossCheck>(check->one_of(cross_checks));
+  }
   read_faults(map, overrides.faults, scenario);
   scenario.schedule = scenario.draws.front();
   map.finish();
@@ -177,6 +192,7 @@ std::string resolved_yaml(const Scenario& scenario, const std::string& controlle
   yaml.key("schema").number(1).key("name").text(scenario.name);
   write_world(yaml, scenario.world);
   write_planning(yaml, planning);
+  yaml.key("cross_check").word(cross_checks[static_cast<std::size_t>(scenario.cross_check)]);
   yaml.key("transport").word(scenario.transport).key("regions_per_process").number(scenario.regions_per_process);
   if (scenario.network) {
     yaml.key("network");

@@ -15,6 +15,13 @@
 /// What is run (docs/scenarios.md): one YAML file, read once by the launcher and handed to every process as resolved.
 namespace evbal {
 
+/// Which plans `ipopt` solves too once the day is over, for a second opinion on the engine that made them.
+enum class CrossCheck {
+  off,    ///< none
+  first,  ///< the first one
+  every,  ///< all of them
+};
+
 /// A scenario as read: nothing is left to chance or to defaults.
 struct Scenario {
   std::string name;                      ///< of the scenario
@@ -29,6 +36,7 @@ struct Scenario {
   std::optional<NetworkConditions> network{};  ///< on the bus, below DDS
   std::filesystem::path dds_profiles{};        ///< XML file of Fast DDS for the bus; empty: none
   std::vector<Expect> expect;                  ///< what shall hold of the result
+  CrossCheck cross_check = CrossCheck::off;    ///< none of what happens depends on it
 };
 
 /// What the command line says in place of the scenario.
@@ -43,10 +51,15 @@ struct Overrides {
   std::optional<int> regions_per_process{};             ///< in place of `regions_per_process`
   std::optional<std::string> engine{};                  ///< in place of `engine`
   std::optional<std::filesystem::path> dds_profiles{};  ///< in place of `dds_profiles`
+  std::vector<std::string> settings{};                  ///< KEY=VALUE, such as `balancing.tau=2`: in place of what the
+                                                        ///< file says, and behind all of the above
 };
 
 /// The scenario file that a command line names: a path, or the name of one that is shipped, such as toy.yaml.
 std::filesystem::path find_scenario(const std::filesystem::path& given);
+
+/// The file's text with settings, each KEY=VALUE, in place of what it says. Throws Error{bad_input}.
+YamlValue with_settings(YamlValue scenario, const std::vector<std::string>& settings);
 
 /// Reads a scenario, resolved or not. Throws Error{bad_input} with file, line, reason and what would be right; for an
 /// override the option stands in place of the file.

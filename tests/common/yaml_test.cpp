@@ -90,6 +90,22 @@ TEST(Yaml, PutsTheBlameForASettingWhereItStands) {
   expect_refused([&] { YamlMap(with("x.y")); }, "b.yaml:2", "`x` holds no keys");
 }
 
+TEST(Yaml, PutsTheBlameForAnOptionOnTheOption) {
+  const auto base = YamlValue::parse("seed: 1\nbalancing: {m1: 10}\n", "a.yaml");
+  const auto balancing = [&](const std::string& text) {
+    const YamlValue set = base.with("balancing.tau", YamlValue::parse_option(text, "--set balancing.tau"));
+    return YamlMap(YamlMap(set).require("balancing"));
+  };
+  EXPECT_EQ(balancing("3").require("tau").integer(), 3);
+  EXPECT_EQ(balancing("3").require("tau").line(), 0);
+  EXPECT_EQ(balancing("3").require("m1").line(), 2);
+  expect_refused([&] { balancing("x").require("tau").integer(); }, "--set balancing.tau", "`x` is no whole number");
+  expect_refused([&] { balancing("3").finish(); }, "a.yaml:2", "unknown key `m1`");
+  expect_refused([&] { balancing(""); }, "--set balancing.tau", "is empty");
+  expect_refused([&] { balancing("[1"); }, "--set balancing.tau", "not valid YAML");
+  expect_refused([&] { balancing("[1, x]").require("tau").items().at(1).integer(); }, "--set balancing.tau", "`x`");
+}
+
 TEST(Yaml, RefusesASecondDocument) {
   expect_refused([] { YamlValue::parse("a: 1\n---\nb: 2\n", "a.yaml"); }, "a.yaml:3", "second document");
   expect_refused([] { YamlValue::parse("a: 1\n...\nb: 2\n", "a.yaml"); }, "a.yaml:3", "second document");

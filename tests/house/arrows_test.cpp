@@ -87,9 +87,9 @@ const std::vector<Room>& rooms() {
         "tools/samples"}},
       {"tools/bench", {"common", "coordinator/convex", "coordinator/balancing", "tools/samples", "tools/verify"}},
       {"tools/evbal",
-       {"common", "agents/protocol", "agents/world", "coordinator/planning", "experiments/scenario",
-        "experiments/conductor", "experiments/record", "experiments/progress", "experiments/run",
-        "experiments/study/design", "experiments/study/store", "experiments/study/statistics",
+       {"common", "agents/protocol", "agents/world", "coordinator/balancing", "coordinator/planning",
+        "experiments/scenario", "experiments/conductor", "experiments/record", "experiments/progress",
+        "experiments/run", "experiments/study/design", "experiments/study/store", "experiments/study/statistics",
         "experiments/study/executors", "tools/fit", "tools/gps", "tools/ingest", "tools/report", "tools/verify"}},
   };
   return table;

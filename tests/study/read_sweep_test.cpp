@@ -143,6 +143,7 @@ TEST_F(SweepOfToy, TakesWhatWasTunedForEachScenario) {
   EXPECT_EQ(scenario_of(sweep.days[7]).planning.engine.name, "ipopt");
   EXPECT_EQ(scenario_of(sweep.days[7]).planning.balancing.tau, 1);
   expect_refused(both + "variants: [{tuned: q}]\n", 6, "nothing called `q` was tuned");
+  expect_refused(both + "variants: [{tuned: q}]\n", 6, "did you mean `r`");
   EXPECT_EQ(read(both + "variants: [{tuned: r, controller: none}]\n").days.front().controller, "none");
   expect_refused(both + "variants: [{tuned: r, factors: {balancing.eta: [2]}}]\n", 6, "has no factors");
   expect_refused(sweep_head + "variants: [{controller: none, factors: {balancing.eta: [2]}}]\n", 5, "give `tuned` too");

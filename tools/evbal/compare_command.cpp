@@ -4,6 +4,7 @@
 #include "experiments/study/store/sweep_file.hpp"
 #include "experiments/study/store/sweep_folder.hpp"
 #include "tools/evbal/console_table.hpp"
+#include "tools/evbal/json_output.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -69,6 +70,7 @@ void add_compare_command(CLI::App& app) {
   struct Arguments {
     std::filesystem::path folder;
     Question question;
+    bool json = false;
   };
   const auto arguments = std::make_shared<Arguments>();
   Question& question = arguments->question;
@@ -78,9 +80,10 @@ void add_compare_command(CLI::App& app) {
   command->add_option("--against", question.reference, "Variant to compare the others with")->required();
   command->add_option("--metric", question.metric, "What is compared; `lost` unless given");
   command->add_option("--at", question.at, "Metric at whose equal values, along the reference's front: `idle_km`");
+  command->add_flag("--json", arguments->json, "Print the rows as JSON");
   command->callback([arguments] {
-    const auto days = read_finished(arguments->folder / sweep_file_name);
-    std::printf("%s", table_of(compare(days, arguments->question), arguments->question).c_str());
+    const auto rows = compare(read_finished(arguments->folder / sweep_file_name), arguments->question);
+    std::fputs((arguments->json ? compared_json(rows) : table_of(rows, arguments->question)).c_str(), stdout);
   });
 }
 

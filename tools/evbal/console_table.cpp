@@ -36,6 +36,19 @@ std::string fixed(double value, int digits) {
   return text.data();
 }
 
+/// How far plans are from those of another engine; `-` if that was not asked.
+std::string difference_text(const std::optional<CrossChecked>& check) {
+  if (!check) {
+    return "-";
+  }
+  if (check->plans == 0) {
+    return "unsolved";
+  }
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.0e", check->difference);
+  return text.data();
+}
+
 std::string padded(const std::string& text, std::size_t width, bool left) {
   const std::string space(width > text.size() ? width - text.size() : 0, ' ');
   return left ? text + space : space + text;
@@ -57,7 +70,16 @@ std::string side_by_side(const std::vector<RunResult>& results) {
       text += padded(fixed(line.value(result), line.digits), width(result), false);
     }
   }
-  return text + "\n";
+  text += "\n";
+  const auto checked = [](const RunResult& result) { return result.cross_check.has_value(); };
+  if (std::any_of(results.begin(), results.end(), checked)) {
+    text += padded("relative difference to ipopt", name_width, true);
+    for (const auto& result : results) {
+      text += padded(difference_text(result.cross_check), width(result), false);
+    }
+    text += "\n";
+  }
+  return text;
 }
 
 std::string cost_table(const std::vector<MetricCost>& costs) {
@@ -99,6 +121,7 @@ std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size
     for (std::size_t i = 0; i < row.size(); ++i) {
       text += (i == 0 ? "" : "  ") + padded(row[i], widths[i], i < left);
     }
+    text.erase(text.find_last_not_of(' ') + 1);
     text += "\n";
   }
   return text;

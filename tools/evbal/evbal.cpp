@@ -7,12 +7,15 @@
 #include "tools/evbal/doctor_command.hpp"
 #include "tools/evbal/fit_command.hpp"
 #include "tools/evbal/ingest_command.hpp"
+#include "tools/evbal/list_command.hpp"
 #include "tools/evbal/replay_command.hpp"
 #include "tools/evbal/report_command.hpp"
 #include "tools/evbal/run_command.hpp"
+#include "tools/evbal/show_command.hpp"
 #include "tools/evbal/slurm_task_command.hpp"
 #include "tools/evbal/sweep_command.hpp"
 #include "tools/evbal/tune_command.hpp"
+#include "tools/evbal/usage_error.hpp"
 #include "tools/evbal/verify_command.hpp"
 
 #include <CLI/CLI.hpp>
@@ -40,6 +43,8 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "evbal " + evbal::version());
   app.require_subcommand(1);
   evbal::add_run_command(app);
+  evbal::add_show_command(app);
+  evbal::add_list_command(app);
   evbal::add_sweep_command(app);
   evbal::add_tune_command(app);
   evbal::add_slurm_task_command(app);
@@ -57,7 +62,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    std::fprintf(stderr, "evbal: %s; see `evbal --help`\n", error.what());
+    std::fprintf(stderr, "evbal: %s\n", evbal::usage_error(app, error).c_str());
     return static_cast<int>(evbal::ExitStatus::bad_input);
   } catch (const evbal::Error& error) {
     std::fprintf(stderr, "evbal: %s\n", error.what());

@@ -64,7 +64,7 @@ void fit(const FitArguments& arguments) {
 void add_fit_command(CLI::App& app) {
   const auto arguments = std::make_shared<FitArguments>();
   CLI::App* command = app.add_subcommand("fit", "Estimate forecasts, uncertainty sets and transitions of a city");
-  command->add_option("city", arguments->city, "Shipped city or folder of a pack")->required();
+  command->add_option("CITY", arguments->city, "Shipped city or folder of a pack")->required();
   command->add_option("--out", arguments->out, "File to write; without it, model.json beside the pack");
   command->add_option("--train", arguments->train, "First and last day to fit to; without it, the pack's training days")
       ->expected(2);

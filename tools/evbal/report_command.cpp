@@ -28,7 +28,8 @@ std::vector<fs::path> runs_in(const fs::path& folder) {
   std::vector<fs::path> found;
   if (fs::is_directory(folder) && !fs::exists(folder / "run.sqlite")) {
     for (const auto& entry : fs::directory_iterator(folder)) {
-      if (fs::exists(entry.path() / "summary.json")) {
+      // The link `latest` leads to a run that is here anyway.
+      if (!entry.is_symlink() && fs::exists(entry.path() / "summary.json")) {
         found.push_back(entry.path());
       }
     }

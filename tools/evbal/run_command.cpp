@@ -10,7 +10,10 @@
 #include "experiments/study/executors/monte_carlo.hpp"
 #include "tools/evbal/console_table.hpp"
 #include "tools/evbal/day_progress.hpp"
+#include "tools/evbal/json_output.hpp"
 #include "tools/evbal/report_command.hpp"
+#include "tools/evbal/runs_folder.hpp"
+#include "tools/evbal/scenario_options.hpp"
 #include "tools/evbal/study_progress.hpp"
 
 #include <CLI/CLI.hpp>
@@ -18,10 +21,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <iterator>
 #include <memory>
 #include <optional>
-#include <sstream>
 
 namespace evbal {
 namespace {
@@ -29,23 +30,26 @@ namespace {
 namespace fs = std::filesystem;
 
 struct RunArguments {
-  fs::path scenario;
-  Overrides overrides;
+  ScenarioOptions options;
   std::string out;
   bool quiet = false;
+  bool json = false;
 };
 
-/// A directory of our own under runs/, made at once so that two runs never take the same.
-fs::path claim_folder(const Scenario& scenario) {
-  const std::string controller = scenario.controllers.size() == 1 ? "-" + scenario.controllers.front() : "";
-  const std::string base =
-      scenario.name + "-" + scenario.world.day.date + controller + "-seed" + std::to_string(scenario.world.seed);
-  fs::create_directories("runs");
-  for (int number = 1;; ++number) {
-    fs::path folder = fs::path("runs") / (number == 1 ? base : base + "-" + std::to_string(number));
-    if (fs::create_directory(folder)) {
-      return folder;
-    }
+/// What is shown of runs that are over.
+enum class Output { tables, folders, json };
+
+Output output_of(const RunArguments& arguments) {
+  if (arguments.json) {
+    return Output::json;
+  }
+  return arguments.quiet ? Output::folders : Output::tables;
+}
+
+/// `runs/latest` leads to the newest run that is complete and was given no other place.
+void note_latest(const fs::path& folder, const RunArguments& arguments) {
+  if (arguments.out.empty()) {
+    name_latest(folder);
   }
 }
 
@@ -108,37 +112,36 @@ void check_expectations(const Scenario& scenario, const std::vector<RunResult>& 
   }
 }
 
-/// The words of a command line that is taken from the current directory.
-Command words_of(const std::string& text) {
-  std::istringstream in(text);
-  return command_from(fs::current_path(), {std::istream_iterator<std::string>(in), {}});
-}
-
 /// The runs of a schedule that was drawn once.
-void play_once(const Scenario& scenario, const fs::path& folder, bool quiet) {
-  const std::vector<RunResult> results = record_all(runs_of(scenario, folder), quiet);
+void play_once(const Scenario& scenario, const fs::path& folder, const RunArguments& arguments) {
+  const std::vector<RunResult> results = record_all(runs_of(scenario, folder), arguments.quiet);
   const std::string costs = write_reports(folder, results);
-  if (!quiet) {
-    std::printf("\n%s\n%s", side_by_side(results).c_str(), costs.c_str());
-  }
-  for (const auto& result : results) {
-    std::printf("%s\n", result.folder.c_str());
-  }
-  if (!quiet) {
-    std::printf("%s\n", (folder / "report.html").c_str());
+  note_latest(folder, arguments);
+  const fs::path report = folder / "report.html";
+  const Output output = output_of(arguments);
+  if (output == Output::json) {
+    std::fputs(runs_json(results, report).c_str(), stdout);
+  } else {
+    if (output == Output::tables) {
+      std::printf("\n%s\n%s", side_by_side(results).c_str(), costs.c_str());
+    }
+    for (const auto& result : results) {
+      std::printf("%s\n", result.folder.c_str());
+    }
+    if (output == Output::tables) {
+      std::printf("%s\n", report.c_str());
+    }
   }
   check_expectations(scenario, results);
 }
 
-/// The runs of every draw of a schedule that are not played yet.
-void play_all_draws(const Draws& draws, const OutFolder& out, bool over_bus, bool quiet) {
-  const fs::path& folder = out.path();
-  StudyProgress progress(quiet);
-  warn_of_other_programs(draws_file(folder), draws.keys);
-  const DrawsResult result = play_draws(draws, folder, {.over_bus = over_bus, .on_day_ended = progress.shown_days()});
-  out.complete();
+void print_draws(const DrawsResult& result, const fs::path& folder, Output output) {
+  if (output == Output::json) {
+    std::fputs(draws_json(result, folder).c_str(), stdout);
+    return;
+  }
   for (const auto& drawn : result.controllers) {
-    if (!quiet) {
+    if (output == Output::tables) {
       std::printf("%s%s, %zu draws of the faults\n%sworst: %s, %s %s; alone: evbal run %s\n\n",
                   &drawn == &result.controllers.front() ? "\n" : "", drawn.controller.c_str(), drawn.draws,
                   distribution_table(drawn.metrics).c_str(), drawn.worst.c_str(), drawn.worst_metric.c_str(),
@@ -146,6 +149,17 @@ void play_all_draws(const Draws& draws, const OutFolder& out, bool over_bus, boo
     }
   }
   std::printf("%s\n", folder.c_str());
+}
+
+/// The runs of every draw of a schedule that are not played yet.
+void play_all_draws(const Draws& draws, const OutFolder& out, bool over_bus, const RunArguments& arguments) {
+  const fs::path& folder = out.path();
+  StudyProgress progress(arguments.quiet);
+  warn_of_other_programs(draws_file(folder), draws.keys);
+  const DrawsResult result = play_draws(draws, folder, {.over_bus = over_bus, .on_day_ended = progress.shown_days()});
+  out.complete();
+  note_latest(folder, arguments);
+  print_draws(result, folder, output_of(arguments));
   if (!result.disappointments.empty()) {
     throw Error(ExitStatus::expectation_failed, result.disappointments);
   }
@@ -153,7 +167,8 @@ void play_all_draws(const Draws& draws, const OutFolder& out, bool over_bus, boo
 
 void run(const RunArguments& arguments) {
   catch_interrupts();
-  const Scenario scenario = read_scenario(find_scenario(arguments.scenario), arguments.overrides);
+  const Overrides& overrides = arguments.options.overrides;
+  const Scenario scenario = read_scenario(find_scenario(arguments.options.scenario), overrides);
   check_planning(scenario);
   const fs::path folder = arguments.out.empty() ? claim_folder(scenario) : fs::path(arguments.out);
   const std::optional<Draws> draws =
@@ -161,10 +176,10 @@ void run(const RunArguments& arguments) {
   const OutFolder out(folder, draws ? draws->fingerprint() : "");
   try {
     if (draws) {
-      const bool over_bus = arguments.overrides.transport == "dds" || own_transport(scenario) == "dds";
-      play_all_draws(*draws, out, over_bus, arguments.quiet);
+      const bool over_bus = overrides.transport == "dds" || own_transport(scenario) == "dds";
+      play_all_draws(*draws, out, over_bus, arguments);
     } else {
-      play_once(scenario, folder, arguments.quiet);
+      play_once(scenario, folder, arguments);
     }
   } catch (...) {
     std::error_code not_empty;
@@ -178,28 +193,11 @@ void run(const RunArguments& arguments) {
 void add_run_command(CLI::App& app) {
   const auto arguments = std::make_shared<RunArguments>();
   CLI::App* command = app.add_subcommand("run", "Play the day of a scenario and record it");
-  command->add_option("SCENARIO", arguments->scenario, "Scenario file (YAML), or the name of a shipped one")
-      ->required();
-  command->add_option("--controller", arguments->overrides.controller, "One controller in place of the scenario's");
-  command
-      ->add_option_function<std::string>(
-          "--coordinator", [arguments](const std::string& text) { arguments->overrides.coordinator = words_of(text); },
-          "Program that makes the plans in place of evbal-coordinator, with its words")
-      ->type_name("COMMAND");
-  command->add_option("--day", arguments->overrides.day, "Another day on record, such as 2008-06-04");
-  command->add_option("--seed", arguments->overrides.seed, "Another seed")->check([](const std::string& text) {
-    const bool whole = text.find_first_not_of("0123456789") == std::string::npos;
-    return whole ? "" : "give a whole number from 0 to 2^64-1";
-  });
-  command->add_option("--faults", arguments->overrides.faults, "Another fault schedule (YAML)");
-  command->add_option("--transport", arguments->overrides.transport, "dds: processes on a bus; inproc: one process");
-  command->add_option("--regions-per-process", arguments->overrides.regions_per_process, "Regions that an agent hosts");
-  command->add_option("--engine", arguments->overrides.engine, "Solver of the balancing problem");
-  command->add_option("--dds-profiles", arguments->overrides.dds_profiles,
-                      "Settings of Fast DDS for the bus (XML), of which none are taken from elsewhere");
+  add_scenario_options(*command, arguments->options);
   command->add_option("--out", arguments->out,
                       "Run directory, new, empty or of a run that broke off; otherwise one under runs/");
-  command->add_flag("--quiet", arguments->quiet, "Print the run directories only");
+  command->add_flag("--quiet", arguments->quiet, "Without progress; print the run directories only");
+  command->add_flag("--json", arguments->json, "Print the results as JSON");
   command->callback([arguments] { run(*arguments); });
 }
 

@@ -1,6 +1,7 @@
 #include "tools/report/sweep_summary.hpp"
 
 #include "common/error.hpp"
+#include "common/suggestion.hpp"
 
 #include <algorithm>
 #include <set>
@@ -41,7 +42,12 @@ bool has_several_settings(const std::vector<FinishedDay>& days, const std::strin
     }
   }
   if (settings.empty()) {
-    throw bad_input("--against: no variant is called `" + variant + "`");
+    std::set<std::string> names;
+    for (const auto& day : days) {
+      names.insert(day.variant);
+    }
+    throw bad_input("--against: no variant is called `" + variant + "`" +
+                    did_you_mean(variant, {names.begin(), names.end()}));
   }
   return settings.begin()->second.size() > 1;
 }

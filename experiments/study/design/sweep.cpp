@@ -102,6 +102,17 @@ Axis scaled(Axis factors, const Point& tuned) {
   return factors;
 }
 
+/// What was tuned for a scenario.
+std::vector<std::string> tuned_for_scenario(const Tuned& all_tuned, const std::string& scenario) {
+  std::vector<std::string> names;
+  for (const auto& [of, settings] : all_tuned) {
+    if (of.first == scenario) {
+      names.push_back(of.second);
+    }
+  }
+  return names;
+}
+
 /// What a variant is in one scenario.
 struct InScenario {
   std::string controller;
@@ -113,7 +124,8 @@ InScenario in_scenario(const Variant& variant, const std::string& scenario, cons
   if (!variant.tuned.empty()) {
     const auto found = all_tuned.find({scenario, variant.tuned});
     if (found == all_tuned.end()) {
-      throw variant.place.error("nothing called `" + variant.tuned + "` was tuned for scenario `" + scenario + "`");
+      throw variant.place.error("nothing called `" + variant.tuned + "` was tuned for scenario `" + scenario + "`" +
+                                did_you_mean(variant.tuned, tuned_for_scenario(all_tuned, scenario)));
     }
     result.points = {found->second.settings};
     if (result.controller.empty()) {
@@ -206,6 +218,7 @@ Scenario scenario_of(const SweptDay& day) {
   }
   scenario.regions_per_process = 1;
   scenario.expect.clear();
+  scenario.cross_check = CrossCheck::off;
   return scenario;
 }
 

@@ -77,8 +77,8 @@ void refuse_test_days(const Replications& replications, const std::vector<YamlVa
     for (const auto& day : days) {
       if (std::find(city.train_days.begin(), city.train_days.end(), day.text()) == city.train_days.end()) {
         throw day.error("`" + day.text() + "` is no training day of " + city.name +
-                        "; tune on its training days only, from " + city.train_days.front() + " to " +
-                        city.train_days.back());
+                        did_you_mean(day.text(), city.train_days) + "; tune on its training days only, from " +
+                        city.train_days.front() + " to " + city.train_days.back());
       }
     }
   }

@@ -54,8 +54,12 @@ class CommandLine {
 
   /// `environment`: variables for the call, as a shell has them before a command.
   Ended evbal(const std::string& arguments, const std::string& environment = "") const {
-    const std::string command = environment + " " + EVBAL_PROGRAM + " " + arguments + " >out.txt 2>err.txt";
-    const int code = std::system(("cd " + path().string() + " && " + command).c_str());
+    return command(environment + " " + EVBAL_PROGRAM + " " + arguments);
+  }
+
+  /// What a shell is to do in the folder.
+  Ended command(const std::string& words) const {
+    const int code = std::system(("cd " + path().string() + " && " + words + " >out.txt 2>err.txt").c_str());
     return {WEXITSTATUS(code), text_of(path() / "out.txt"), text_of(path() / "err.txt")};
   }
 

@@ -1,0 +1,121 @@
+#include "tests/run/evbal/command_line.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace evbal {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+/// What a command prints with `--json`, which is one JSON document and nothing else.
+Json json_of(const CommandLine& line, const std::string& arguments) {
+  const Ended ended = line.evbal(arguments + " --json");
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  const Json json = Json::parse(ended.out, nullptr, false);
+  EXPECT_FALSE(json.is_discarded()) << arguments << ": " << ended.out;
+  return json;
+}
+
+TEST(Set, IsPlayedAndRecorded) {
+  const CommandLine line;
+  const Ended ended = line.evbal("run morning.yaml --quiet --out set --set balancing.p_shortage=20 --set seed=5");
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  const std::string resolved = text_of(line.path() / "set/scenario.resolved.yaml");
+  EXPECT_NE(resolved.find("\n  p_shortage: 20\n"), std::string::npos) << resolved;
+  EXPECT_NE(resolved.find("\nseed: 5\n"), std::string::npos) << resolved;
+  EXPECT_EQ(line.evbal("replay set --quiet").status, 0);
+}
+
+TEST(Latest, LeadsToTheNewestRunThatIsComplete) {
+  const CommandLine line;
+  const fs::path latest = line.path() / "runs/latest";
+  ASSERT_EQ(line.evbal("run morning.yaml --quiet").status, 0);
+  EXPECT_EQ(fs::read_symlink(latest), "morning-2024-01-11-nominal-seed1");
+  ASSERT_EQ(line.evbal("run morning.yaml --quiet --seed 2").status, 0);
+  EXPECT_EQ(fs::read_symlink(latest), "morning-2024-01-11-nominal-seed2");
+  ASSERT_EQ(line.evbal("run morning.yaml --quiet --seed 3 --out elsewhere").status, 0);
+  EXPECT_EQ(fs::read_symlink(latest), "morning-2024-01-11-nominal-seed2");
+  EXPECT_EQ(line.evbal("replay runs/latest --quiet").status, 0);
+  // A report on all runs has each of them once.
+  ASSERT_EQ(line.evbal("report runs").status, 0);
+  const std::string page = text_of(line.path() / "runs/report.html");
+  EXPECT_EQ(page.find("runs/latest"), std::string::npos);
+}
+
+TEST(Latest, LeavesAFolderOfThatNameAlone) {
+  const CommandLine line;
+  fs::create_directories(line.path() / "runs/latest");
+  ASSERT_EQ(line.evbal("run morning.yaml --quiet").status, 0);
+  EXPECT_FALSE(fs::is_symlink(line.path() / "runs/latest"));
+  EXPECT_EQ(std::distance(fs::directory_iterator(line.path() / "runs"), {}), 2);
+}
+
+TEST(Json, IsPrintedInPlaceOfTables) {
+  const CommandLine line;
+  const Json runs = json_of(line, "run morning.yaml --quiet --out one");
+  EXPECT_EQ(runs["report"], "one/report.html");
+  ASSERT_EQ(runs["runs"].size(), 1U);
+  EXPECT_EQ(runs["runs"][0]["folder"], "one");
+  EXPECT_EQ("\"" + runs["runs"][0]["digest"].get<std::string>() + "\"", line.summary("one", "digest"));
+  EXPECT_TRUE(runs["runs"][0]["without_faults"]["metrics"].contains("lost"));
+
+  ASSERT_EQ(line.evbal("sweep sweep-small.yaml --quick --quiet --out swept").status, 0);
+  const Json compared = json_of(line, "compare swept --against ratio");
+  ASSERT_FALSE(compared.empty());
+  EXPECT_TRUE(compared[0].contains("p_holm"));
+
+  for (const char* kind : {"cities", "scenarios", "controllers", "metrics", "faults", "studies"}) {
+    EXPECT_FALSE(json_of(line, std::string("list ") + kind).empty()) << kind;
+  }
+  const Json shown = json_of(line, "show morning.yaml --set balancing.tau=1");
+  EXPECT_EQ(shown["scenario"]["balancing"]["tau"], 1);
+  EXPECT_EQ(shown["sources"]["balancing.tau"], "--set");
+}
+
+TEST(Json, HoldsWhatManyDrawsCameTo) {
+  const CommandLine line;
+  std::ofstream(line.path() / "drawn.yaml") << "schema: 1\nseed: 1\nruns: 2\nfaults:\n  - {name: jam, type: "
+                                               "travel.slow, target: {pick: 2}, start: \"08:00\", "
+                                               "duration: 40min, magnitude: {uniform: {min: 1.5, max: 4}}}\n";
+  const Json drawn = json_of(line, "run morning.yaml --quiet --faults drawn.yaml --out drawn");
+  EXPECT_EQ(drawn["folder"], "drawn");
+  EXPECT_EQ(drawn["controllers"][0]["draws"], 2);
+  EXPECT_TRUE(drawn["controllers"][0]["metrics"]["lost"].contains("median"));
+}
+
+TEST(CrossCheck, ChangesNothingButItsOwnEntry) {
+  const CommandLine line;
+  const std::string run = "run morning.yaml --quiet --engine cuts --json --out ";
+  const auto solver = [&](const std::string& folder, const std::string& check) {
+    const Ended ended = line.evbal(run + folder + " --set cross_check=" + check);
+    EXPECT_EQ(ended.status, 0) << ended.err;
+    return Json::parse(ended.out)["runs"][0]["solver"];
+  };
+  EXPECT_FALSE(solver("off", "off").contains("cross_check"));
+  const Json first = solver("first", "ipopt");
+  EXPECT_EQ(first["cross_check"]["engine"], "ipopt");
+  EXPECT_EQ(first["cross_check"]["plans"], 1);
+  EXPECT_LT(first["cross_check"]["max_relative_difference"], 2e-6);
+  const Json every = solver("every", "every");
+  EXPECT_EQ(every["cross_check"]["plans"], every["solves"]);
+  EXPECT_EQ(every["cross_check"]["unsolved"], 0);
+  EXPECT_LT(every["cross_check"]["max_relative_difference"], 2e-6);
+  EXPECT_EQ(line.summary("first", "digest"), line.summary("off", "digest"));
+  EXPECT_EQ(line.summary("every", "digest"), line.summary("off", "digest"));
+  EXPECT_EQ(line.evbal("replay first --quiet").status, 0);
+}
+
+TEST(CrossCheck, IsNoneWhereIpoptOrNobodySolves) {
+  const CommandLine line;
+  for (const char* options : {"--engine ipopt", "--engine cuts --controller greedy"}) {
+    const Json runs = json_of(line, std::string("run morning.yaml --quiet --set cross_check=every ") + options);
+    EXPECT_FALSE(runs["runs"][0]["solver"].contains("cross_check")) << options;
+  }
+}
+
+}  // namespace
+}  // namespace evbal

@@ -1,0 +1,143 @@
+#include "tools/evbal/json_output.hpp"
+
+#include "common/files.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <charconv>
+
+namespace evbal {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string document(const Json& json) {
+  return json.dump(2) + "\n";
+}
+
+Json interval_json(const Interval& interval) {
+  return {{"mean", interval.mean}, {"low", interval.low}, {"high", interval.high}};
+}
+
+/// A word of YAML as what it is: a number, true or false, else a text.
+Json scalar_json(const std::string& text) {
+  if (text == "true" || text == "false") {
+    return text == "true";
+  }
+  const char* end = text.data() + text.size();
+  std::uint64_t whole = 0;  // seeds do not fit into a double
+  if (const auto read = std::from_chars(text.data(), end, whole); read.ec == std::errc{} && read.ptr == end) {
+    return whole;
+  }
+  double number = 0.0;
+  const auto read = std::from_chars(text.data(), end, number);
+  return read.ec == std::errc{} && read.ptr == end ? Json(number) : Json(text);
+}
+
+Json yaml_json(const YamlValue& value) {
+  if (value.is_scalar()) {
+    return scalar_json(value.text());
+  }
+  if (value.is_list()) {
+    Json list = Json::array();
+    for (const auto& item : value.items()) {
+      list.push_back(yaml_json(item));
+    }
+    return list;
+  }
+  YamlMap map(value);
+  Json json = Json::object();
+  for (const auto& key : map.keys()) {
+    json[key] = yaml_json(map.require(key));
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string runs_json(const std::vector<RunResult>& runs, const std::filesystem::path& report) {
+  Json json = {{"report", report.string()}, {"runs", Json::array()}};
+  for (const auto& run : runs) {
+    Json summary = {{"folder", run.folder.string()}};
+    summary.update(Json::parse(text_of_file(run.folder / "summary.json")));
+    json["runs"].push_back(std::move(summary));
+  }
+  return document(json);
+}
+
+std::string draws_json(const DrawsResult& draws, const std::filesystem::path& folder) {
+  Json json = {{"folder", folder.string()}, {"controllers", Json::array()}};
+  for (const auto& drawn : draws.controllers) {
+    Json metrics;
+    for (const auto& metric : drawn.metrics) {
+      for (const auto& [name, value] : named(metric.distribution)) {
+        metrics[metric.name][name] = value;
+      }
+      metrics[metric.name]["without"] = metric.without;
+    }
+    json["controllers"].push_back({{"controller", drawn.controller},
+                                   {"draws", drawn.draws},
+                                   {"metrics", std::move(metrics)},
+                                   {"worst",
+                                    {{"draw", drawn.worst},
+                                     {"metric", drawn.worst_metric},
+                                     {"value", drawn.worst_value},
+                                     {"scenario", drawn.worst_file.string()}}}});
+  }
+  return document(json);
+}
+
+std::string compared_json(const std::vector<Compared>& rows) {
+  Json json = Json::array();
+  for (const auto& row : rows) {
+    Json one = {{"scenario", row.scenario}, {"faults", row.faults}, {"variant", row.variant},
+                {"settings", row.settings}, {"pairs", row.pairs},   {"outside", row.outside}};
+    if (row.pairs > 0) {
+      one.update({{"at", row.at},
+                  {"value", row.value},
+                  {"reference", row.reference},
+                  {"difference", interval_json(row.difference)}});
+      if (row.relative) {
+        one.update({{"relative", interval_json(row.by_t)}, {"relative_by_bootstrap", interval_json(row.by_bootstrap)}});
+      }
+      one.update({{"p", row.p}, {"p_holm", row.p_holm}});
+    }
+    json.push_back(std::move(one));
+  }
+  return document(json);
+}
+
+std::string comparisons_json(const std::vector<Comparison>& comparisons) {
+  Json json = Json::array();
+  for (const auto& comparison : comparisons) {
+    json.push_back({{"what", comparison.what},
+                    {"cases", comparison.cases},
+                    {"largest", comparison.largest},
+                    {"allowed", comparison.allowed},
+                    {"holds", comparison.holds()},
+                    {"where", comparison.where}});
+  }
+  return document(json);
+}
+
+std::string listing_json(const Listing& listing) {
+  Json json = Json::array();
+  for (const auto& row : listing.rows) {
+    Json one;
+    for (std::size_t column = 0; column < row.size(); ++column) {
+      std::visit([&](const auto& cell) { one[listing.columns[column]] = cell; }, row[column]);
+    }
+    json.push_back(std::move(one));
+  }
+  return document(json);
+}
+
+std::string sourced_json(const SourcedScenario& scenario) {
+  Json sources;
+  for (const auto& [path, source] : scenario.sources) {
+    sources[path] = source;
+  }
+  return document({{"scenario", yaml_json(scenario.resolved)}, {"sources", std::move(sources)}});
+}
+
+}  // namespace evbal
