@@ -10,7 +10,7 @@
 namespace evbal {
 namespace {
 
-std::vector<std::string> names_of(const std::string& kind) {
+std::vector<std::string> listed_names(const std::string& kind) {
   std::vector<std::string> names;
   for (const auto& row : listing_of(kind).rows) {
     names.push_back(std::get<std::string>(row.front()));
@@ -18,16 +18,16 @@ std::vector<std::string> names_of(const std::string& kind) {
   return names;
 }
 
-bool holds(const std::vector<std::string>& names, const char* name) {
+bool has_name(const std::vector<std::string>& names, const char* name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 TEST(Listing, HasWhatIsShipped) {
-  EXPECT_TRUE(holds(names_of("cities"), "shenzhen-54"));
-  EXPECT_TRUE(holds(names_of("scenarios"), "toy.yaml"));
-  EXPECT_TRUE(holds(names_of("controllers"), "turnover"));
-  EXPECT_TRUE(holds(names_of("faults"), "stadium.yaml"));
-  EXPECT_TRUE(holds(names_of("studies"), "sweep-small.yaml"));
+  EXPECT_TRUE(has_name(listed_names("cities"), "shenzhen-54"));
+  EXPECT_TRUE(has_name(listed_names("scenarios"), "toy.yaml"));
+  EXPECT_TRUE(has_name(listed_names("controllers"), "turnover"));
+  EXPECT_TRUE(has_name(listed_names("faults"), "stadium.yaml"));
+  EXPECT_TRUE(has_name(listed_names("studies"), "sweep-small.yaml"));
 }
 
 TEST(Listing, SaysSomethingOfEachThing) {
@@ -42,7 +42,7 @@ TEST(Listing, SaysSomethingOfEachThing) {
 }
 
 TEST(Listing, HasEveryMetricOfADayInItsOrder) {
-  EXPECT_EQ(names_of("metrics"), metric_names());
+  EXPECT_EQ(listed_names("metrics"), metric_names());
 }
 
 TEST(Listing, TakesTheFirstSentenceOfAComment) {

@@ -13,7 +13,7 @@
 namespace evbal {
 namespace {
 
-std::string table_of(const Listing& listing) {
+std::string listing_table(const Listing& listing) {
   std::vector<std::vector<std::string>> table = {listing.columns};
   for (const auto& row : listing.rows) {
     table.emplace_back();
@@ -38,7 +38,7 @@ void add_list_command(CLI::App& app) {
   command->add_flag("--json", arguments->json, "As JSON");
   command->callback([arguments] {
     const Listing listing = listing_of(arguments->kind);
-    std::fputs((arguments->json ? listing_json(listing) : table_of(listing)).c_str(), stdout);
+    std::fputs((arguments->json ? listing_json(listing) : listing_table(listing)).c_str(), stdout);
   });
 }
 
