@@ -60,7 +60,7 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-std::string line_complaint(std::string_view text) {
+std::string validate_line(std::string_view text) {
   if (find_invalid_utf8(text) != std::string_view::npos) {
     return "is not UTF-8; write it in UTF-8";
   }
@@ -73,10 +73,10 @@ std::string line_complaint(std::string_view text) {
   return "";
 }
 
-std::string file_name_complaint(std::string_view text) {
+std::string validate_file_name(std::string_view text) {
   constexpr std::size_t longest = 100;
-  if (auto complaint = line_complaint(text); !complaint.empty()) {
-    return complaint;
+  if (auto wrong = validate_line(text); !wrong.empty()) {
+    return wrong;
   }
   if (text.empty() || text.size() > longest) {
     return "must have 1 to " + std::to_string(longest) + " bytes, for files are named after it";

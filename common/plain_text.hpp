@@ -17,10 +17,10 @@ std::vector<std::string> lines_of(const std::string& text);
 
 /// What keeps `text` from being one line of text: bytes that are no UTF-8, a line break, another control character.
 /// Empty if nothing does.
-std::string line_complaint(std::string_view text);
+std::string validate_line(std::string_view text);
 
-/// What keeps `text` from being the name of a file or folder in a folder of ours: what line_complaint says, `/`, a dot
+/// What keeps `text` from being the name of a file or folder in a folder of ours: what validate_line says, `/`, a dot
 /// in front, no or more than 100 bytes. Empty if nothing does.
-std::string file_name_complaint(std::string_view text);
+std::string validate_file_name(std::string_view text);
 
 }  // namespace evbal

@@ -41,7 +41,7 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
   return " (did you mean `" + *best + "`?)";
 }
 
-std::string word_complaint(const std::string& word, const std::vector<std::string>& words) {
+std::string validate_word(const std::string& word, const std::vector<std::string>& words) {
   return std::find(words.begin(), words.end(), word) != words.end()
              ? ""
              : "`" + word + "` is not known" + did_you_mean(word, words) + "; choose one of " + listed(words);

@@ -14,6 +14,6 @@ std::string listed(const std::vector<std::string>& words);
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& words);
 
 /// What is wrong with `word` where one of `words` is expected, and what would be right; empty if it is one of them.
-std::string word_complaint(const std::string& word, const std::vector<std::string>& words);
+std::string validate_word(const std::string& word, const std::vector<std::string>& words);
 
 }  // namespace evbal

@@ -46,7 +46,7 @@ class YamlValue {
   /// A text of any number of lines.
   std::string paragraphs() const;
 
-  /// A text after which files may be named (file_name_complaint in common/plain_text.hpp).
+  /// A text after which files may be named (validate_file_name in common/plain_text.hpp).
   std::string file_name() const;
 
   /// A finite number.

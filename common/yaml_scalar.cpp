@@ -48,8 +48,8 @@ const std::string& YamlValue::scalar(const char* expected) const {
   if (!node_->IsScalar()) {
     throw error(std::string("expected ") + expected);
   }
-  if (const auto complaint = line_complaint(node_->Scalar()); !complaint.empty()) {
-    throw error(std::string(expected) + " is expected, and this " + complaint);
+  if (const auto wrong = validate_line(node_->Scalar()); !wrong.empty()) {
+    throw error(std::string(expected) + " is expected, and this " + wrong);
   }
   return node_->Scalar();
 }
@@ -67,8 +67,8 @@ std::string YamlValue::paragraphs() const {
 
 std::string YamlValue::file_name() const {
   std::string name = text();
-  if (const auto complaint = file_name_complaint(name); !complaint.empty()) {
-    throw error("name `" + name + "` " + complaint);
+  if (const auto wrong = validate_file_name(name); !wrong.empty()) {
+    throw error("name `" + name + "` " + wrong);
   }
   return name;
 }
@@ -177,7 +177,7 @@ int YamlValue::time_of_day() const {
 
 std::size_t YamlValue::one_of(const std::vector<std::string>& words) const {
   const std::string& text = scalar("a word");
-  if (const auto wrong = word_complaint(text, words); !wrong.empty()) {
+  if (const auto wrong = validate_word(text, words); !wrong.empty()) {
     throw error(wrong);
   }
   return static_cast<std::size_t>(std::find(words.begin(), words.end(), text) - words.begin());

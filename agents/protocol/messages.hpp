@@ -10,7 +10,8 @@
 /// that equal worlds give equal bytes.
 ///
 /// To add a field, write one line here and one at the same place of agents/bus/evbal.idl; tests/bus/idl_test.cpp fails
-/// if either is forgotten. Bus, journals, record, digests and bridge find the field by itself (reflection.hpp). Then
+/// if either is forgotten. RegionPlant::report() fills a report's; one that is measured also needs a ReportField and a
+/// row in measured.hpp. Bus, journals, record, digests and bridge find the field by itself (reflection.hpp). Then
 /// say in message_check.cpp which values cannot be, and at the end of this file if digests treat the field in another
 /// way.
 namespace evbal {

@@ -21,8 +21,8 @@ struct Passenger {
 /// day are left out.
 std::vector<Passenger> draw_passengers(const World& world, int region);
 
-/// The passengers who will appear in each tick, N x ticks: those drawn, by the factors of `effects` on their region,
-/// and those whom effects add.
+/// The passengers who will appear in each tick, N x ticks: drawn passengers times the factors of `effects` on their
+/// region, and passengers whom effects add.
 Eigen::MatrixXd demand_by_tick(const World& world, const std::function<std::vector<Effect>(int tick)>& effects);
 
 /// A passenger's patience, uniform between the city's bounds, in whole minutes.

@@ -30,7 +30,7 @@ struct SyntheticCity {
 
 /// A city on a jittered grid. Trips lead from home to work regions in the morning and back in the evening, fewer to
 /// far regions; days and regions vary log-normally, counts are Poisson. Equal options give an equal city. `folder` is
-/// left empty: write_city it, or use it as it is.
+/// left empty: write_city saves the city, and it can be used without.
 SyntheticCity synthetic_city(const SyntheticOptions& options);
 
 }  // namespace evbal

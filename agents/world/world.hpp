@@ -30,11 +30,11 @@ struct World {
 /// What bounds the messages of a run in this world.
 MessageBounds bounds_of(const World& world);
 
-/// Has the processes that this one starts look for packs where this one does, wherever their programs are: puts the
-/// folders into EVBAL_CITIES, which lists them with colons. To be called before there are threads.
+/// Makes the processes that this one starts look for packs in the same folders: sets EVBAL_CITIES, which lists them
+/// with colons. To be called before there are threads.
 void share_pack_folders();
 
-/// Names of the packs that go by name, sorted.
+/// Names of the packs in the folders where packs are looked for, sorted.
 std::vector<std::string> pack_names();
 
 /// The city that a command line names: a shipped pack, else a folder. Throws Error{bad_input}.

@@ -17,7 +17,7 @@ struct Attendance {
   std::set<int> absent;     ///< regions whose agent is away
   std::set<int> unheard;    ///< regions whose report does not reach the coordinator in time
   std::set<int> unplanned;  ///< regions that no plan reaches in time
-  std::vector<Seen> seen;   ///< but for samples of regions that are absent
+  std::vector<Seen> seen;   ///< absences, late and lost samples; of absent regions no samples
 
   /// Whether the coordinator is there.
   bool coordinator() const { return !away.contains("coordinator"); }

@@ -81,7 +81,7 @@ class DdsPlayers : public Players {
   void bring_back(const std::string& name, Absence how);
   std::string host_of(int region) const;
 
-  /// Starts again who died, hears who is back.
+  /// Starts processes that died again, and takes the hellos of those that are back.
   void look_after_processes();
 
   /// Waits until `missing`, which takes from `reader`, gives no name any more.

@@ -5,9 +5,9 @@
 
 namespace evbal {
 
-/// A DDS domain with enough following ones that the UDP ports of `participants` processes meet those of no other run
-/// on this host. Held as long as the object lives; the kernel frees it when the process dies, however it does, and no
-/// file is left.
+/// A DDS domain, and as many following ones as are needed so that no other run on this host uses the UDP ports of
+/// `participants` processes. Held as long as the object lives; the kernel frees it when the process dies, however it
+/// does, and no file is left.
 class DomainLock {
  public:
   static constexpr int first_domain = 10;  ///< the low ones belong to others on this host

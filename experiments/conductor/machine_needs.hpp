@@ -13,8 +13,8 @@ struct Need {
   std::string cure;  ///< what is wrong otherwise, and what would be right
 };
 
-/// What a run needs whose programs are in the folder `programs`, found out within a tenth of a second. Free UDP ports
-/// are DomainLock's, /dev/net/tun is LossyNetwork's.
+/// What a run needs of the machine, with its programs in the folder `programs`; takes at most a tenth of a second. Free
+/// UDP ports are DomainLock's, /dev/net/tun is LossyNetwork's.
 std::vector<Need> machine_needs(const std::filesystem::path& programs);
 
 /// The bytes that a socket of this process may buffer, of the 4 MiB for which the bus asks.

@@ -19,8 +19,8 @@ struct TunEnd {
 };
 
 /// Carries packets between the first end and each of the others, in a thread of its own, and loses and delays them on
-/// the way. Whether the n-th packet on a way is lost is drawn by (seed, way, n); which packet that is, only the moment
-/// knows. Packets between two of the others, or to anybody else, come nowhere.
+/// the way. Whether the n-th packet on a way is lost is drawn by (seed, way, n); which packet is the n-th depends on
+/// timing and does not repeat. Packets between two of the others, or to anybody else, come nowhere.
 class Relay {
  public:
   /// The ends' files do not block. They stay the caller's, and open until the relay is gone.

@@ -29,7 +29,7 @@ struct Unfairness {
   Unfairness operator/(double divisor) const;
 };
 
-/// Unfairness of the supply-demand ratio and of utilisation ("How a result is earned", docs/metrics.md).
+/// Unfairness of the supply-demand ratio and of utilisation ("Unfairness", docs/metrics.md).
 Unfairness unfairness(const Outcome& outcome);
 
 }  // namespace evbal

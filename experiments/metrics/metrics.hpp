@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-/// What a day came to: pure functions of what was said in its ticks ("How a result is earned", docs/metrics.md).
+/// What a day came to: pure functions of what was said in its ticks (docs/metrics.md).
 /// Only executed moves count: the departures that agents reported, not the plans.
 namespace evbal {
 

@@ -44,9 +44,10 @@ struct CostedMetric {
 /// All of these, in the order in which they are shown.
 const std::vector<CostedMetric>& costed_metrics();
 
-/// Compares both curves. A curve is back with the first step, from the one in which the fault ends on, from which it is
-/// within `band`, a quarter of the greatest value of the curve without faults, for two hours, or until the next fault
-/// begins or the day ends; nothing if there is none, and for a fault that outlasts the day.
+/// Compares both curves. A curve has recovered at the first step, not before the fault ends, after which it stays
+/// within `band` of the curve without faults for two hours (less if the next fault begins or the day ends); `band` is a
+/// quarter of the greatest value of the curve without faults. Empty if there is no such step, or if the fault outlasts
+/// the day.
 FaultCost fault_cost(const PairedCurves& curves, bool stock, std::span<const FaultWindow> faults);
 
 }  // namespace evbal

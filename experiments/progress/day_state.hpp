@@ -20,7 +20,7 @@ struct DayState {
   std::vector<long> waiting{};        ///< passengers, by region
   std::vector<std::string> faults{};  ///< that are active, by name
   int planned_at = 0;                 ///< minute of the last plan
-  Provenance provenance{};            ///< of it; without a controller before the first one
+  Provenance provenance{};            ///< of the last plan; `controller` is empty before the first
 };
 
 /// Follows a day from tick to tick.

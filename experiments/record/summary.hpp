@@ -25,8 +25,8 @@ namespace evbal {
 ///                  if the scenario has the key
 ///     dds_profiles file of settings of Fast DDS, only if the scenario has the key
 ///
-/// `program`, `transport`, `processes`, `network`, `dds_profiles` and what is measured in seconds depend on how the day was run,
-/// nothing else does.
+/// `program`, `transport`, `processes`, `network`, `dds_profiles` and what is measured in seconds depend on how the day
+/// was run, nothing else does.
 std::string summary_json(const RunHeader& header, const DayMetrics& day, const RunResult& result,
                          std::span<const TickRecord> ticks, std::span<const double> tick_seconds);
 

@@ -60,7 +60,7 @@ void read_faults(YamlMap& scenario_map, const std::optional<std::filesystem::pat
 
 /// A word of the command line that must be one of `words`.
 std::string known_word(const std::string& option, const std::string& word, const std::vector<std::string>& words) {
-  if (const auto wrong = word_complaint(word, words); !wrong.empty()) {
+  if (const auto wrong = validate_word(word, words); !wrong.empty()) {
     throw bad_input(option + ": " + wrong);
   }
   return word;
@@ -123,7 +123,7 @@ std::string read_name(YamlMap& map) {
   }
   const std::string& file = map.value().file();
   std::string name = std::filesystem::path(file).stem().string();
-  if (const auto complaint = file_name_complaint(name); !complaint.empty()) {
+  if (const auto complaint = validate_file_name(name); !complaint.empty()) {
     throw bad_input(file, 0, "the file's name, which the scenario takes for want of `name`, " + complaint);
   }
   return name;

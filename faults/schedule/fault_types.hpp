@@ -10,8 +10,7 @@
 /// - its name and keys: a row in fault_types.cpp, at the place of its EffectType;
 /// - its EffectType: agents/protocol/messages.hpp (with the meaning of its magnitude) and agents/bus/evbal.idl;
 /// - what it does, by family: the world in agents/region/region_faults.cpp, sensors in agents/region/sensors.cpp,
-/// processes
-///   and the network in experiments/conductor/attendance.cpp, the solver in coordinator/planning;
+///   processes and the network in experiments/conductor/attendance.cpp, the solver in coordinator/planning;
 /// - a row in docs/faults.md.
 namespace evbal {
 

@@ -15,21 +15,21 @@ TEST(PlainText, FindsWhatIsNoUtf8) {
 }
 
 TEST(PlainText, SaysWhatIsNoLine) {
-  EXPECT_EQ(line_complaint("a \u00fc, \"b\"!"), "");
-  EXPECT_NE(line_complaint("a\nb").find("line break"), std::string::npos);
-  EXPECT_NE(line_complaint("a\tb").find("control"), std::string::npos);
-  EXPECT_NE(line_complaint(std::string("a\0b", 3)).find("control"), std::string::npos);
-  EXPECT_NE(line_complaint("\xff").find("UTF-8"), std::string::npos);
+  EXPECT_EQ(validate_line("a \u00fc, \"b\"!"), "");
+  EXPECT_NE(validate_line("a\nb").find("line break"), std::string::npos);
+  EXPECT_NE(validate_line("a\tb").find("control"), std::string::npos);
+  EXPECT_NE(validate_line(std::string("a\0b", 3)).find("control"), std::string::npos);
+  EXPECT_NE(validate_line("\xff").find("UTF-8"), std::string::npos);
 }
 
 TEST(PlainText, SaysWhatCannotNameAFile) {
   for (const std::string name : {"a", "a b", "\u6df1\u5733", "a..b", "-"}) {
-    EXPECT_EQ(file_name_complaint(name), "") << name;
+    EXPECT_EQ(validate_file_name(name), "") << name;
   }
   for (const std::string name : {"", ".", "..", "../x", "a/b", "/", ".hidden", "a\nb", "\xff"}) {
-    EXPECT_NE(file_name_complaint(name), "") << name;
+    EXPECT_NE(validate_file_name(name), "") << name;
   }
-  EXPECT_NE(file_name_complaint(std::string(101, 'x')), "");
+  EXPECT_NE(validate_file_name(std::string(101, 'x')), "");
 }
 
 }  // namespace

@@ -12,8 +12,8 @@ TEST(Suggestion, IsTheClosestWordIfOneIsClose) {
 }
 
 TEST(Suggestion, ComesWithWhatMayBeChosen) {
-  EXPECT_EQ(word_complaint("dds", {"dds", "inproc"}), "");
-  EXPECT_EQ(word_complaint("inprc", {"dds", "inproc"}),
+  EXPECT_EQ(validate_word("dds", {"dds", "inproc"}), "");
+  EXPECT_EQ(validate_word("inprc", {"dds", "inproc"}),
             "`inprc` is not known (did you mean `inproc`?); choose one of `dds`, `inproc`");
 }
 

@@ -28,7 +28,7 @@ namespace {
 /// What is typed ends up in records and pages, which hold text.
 void check_words(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
-    if (const auto complaint = evbal::line_complaint(argv[i]); !complaint.empty()) {
+    if (const auto complaint = evbal::validate_line(argv[i]); !complaint.empty()) {
       throw evbal::bad_input("word " + std::to_string(i) + " of the command line " + complaint);
     }
   }

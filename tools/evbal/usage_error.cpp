@@ -63,7 +63,7 @@ CLI::Validator one_of_words(const std::vector<std::string>& words) {
   for (const std::string& word : words) {
     names += (names.empty() ? "{" : ",") + word;
   }
-  return {[words](const std::string& word) { return word_complaint(word, words); }, names + "}"};
+  return {[words](const std::string& word) { return validate_word(word, words); }, names + "}"};
 }
 
 }  // namespace evbal

@@ -8,6 +8,8 @@
 #include "tools/ingest/ingest_partition.hpp"
 #include "tools/ingest/od_notes.hpp"
 #include "tools/ingest/rounding.hpp"
+#include "tools/ingest/station_list.hpp"
+#include "tools/ingest/trip_end_sums.hpp"
 #include "tools/records/row_tally.hpp"
 
 #include <algorithm>
@@ -116,75 +118,6 @@ std::vector<int> zones_of(const std::vector<LatLon>& cells, const std::vector<Zo
   return found;
 }
 
-/// Where the trip ends of each region lie.
-class TripEnds {
- public:
-  explicit TripEnds(const std::vector<Region>& regions) : frame_(regions.front().centroid), sums_(regions.size()) {}
-
-  void add(int region, LatLon place, double trips) {
-    const LocalPoint at = frame_.local(place);
-    Sums& sums = sums_[region];
-    sums.trips += trips;
-    sums.east += trips * at.east;
-    sums.north += trips * at.north;
-    sums.square += trips * (at.east * at.east + at.north * at.north);
-  }
-
-  /// Sets centroids to the mean trip end; regions without trips keep theirs. Returns the root mean square distance of
-  /// trip ends from it, km, with that within a cell of `cell_m` metres.
-  std::vector<double> place(std::vector<Region>& regions, double cell_m) const {
-    std::vector<double> spread;
-    for (std::size_t r = 0; r < regions.size(); ++r) {
-      const Sums& sums = sums_[r];
-      double square = cell_m * cell_m / 6.0;
-      if (sums.trips > 0.0) {
-        const LocalPoint mean{sums.east / sums.trips, sums.north / sums.trips};
-        const LatLon centroid = frame_.global(mean);
-        regions[r].centroid = rounded(centroid);
-        square += std::max(0.0, sums.square / sums.trips - mean.east * mean.east - mean.north * mean.north);
-      }
-      spread.push_back(rounded(std::sqrt(square) / 1000.0, 1e3));
-    }
-    return spread;
-  }
-
- private:
-  struct Sums {
-    double trips = 0.0;
-    double east = 0.0;
-    double north = 0.0;
-    double square = 0.0;
-  };
-  LocalFrame frame_;
-  std::vector<Sums> sums_;
-};
-
-/// The stations' share of their points, in whole points by the largest remainders; stations left without are dropped.
-std::vector<Station> share_of(const std::vector<Station>& stations, double share) {
-  struct Part {
-    std::size_t station = 0;
-    double rest = 0.0;
-  };
-  std::vector<Station> kept = stations;
-  std::vector<Part> parts;
-  double total = 0.0;
-  int given = 0;
-  for (std::size_t s = 0; s < kept.size(); ++s) {
-    const double exact = share * kept[s].points;
-    total += exact;
-    kept[s].points = static_cast<int>(exact);
-    given += kept[s].points;
-    parts.push_back({s, exact - kept[s].points});
-  }
-  std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.rest > b.rest; });
-  const auto left = static_cast<std::size_t>(std::lround(total) - given);
-  for (std::size_t p = 0; p < std::min(left, parts.size()); ++p) {
-    ++kept[parts[p].station].points;
-  }
-  std::erase_if(kept, [](const Station& station) { return station.points == 0; });
-  return kept;
-}
-
 /// The days, their course and the lengths of charging sessions of the city `like`, into `city`.
 void take_days(const City& like, double within_day, City& city) {
   city.day_start = like.day_start;
@@ -235,7 +168,7 @@ struct Pairs {
 Pairs count_pairs(const CellTrips& trips, const std::vector<int>& zone_of, const std::vector<int>& region_of,
                   double cell_m, City& city) {
   Pairs pairs;
-  TripEnds ends(city.regions);
+  TripEndSums ends(city.regions);
   for (const auto& [cells, count] : trips.trips) {
     const auto [from, to] = cells;
     if (zone_of[from] < 0 || zone_of[to] < 0) {
@@ -273,7 +206,7 @@ OdCity city_of(const OdSources& sources, OdNotes notes, const CellTrips& trips) 
   }
   take_days(read_city(sources.like), notes.within_day, city);
   const IngestedStations stations = ingest_stations(sources.stations, notes.stations, city.regions, notes.snap_m);
-  city.stations = share_of(stations.stations, notes.points_share);
+  city.stations = share_of_points(stations.stations, notes.points_share);
   set_travel(city);
 
   std::ostringstream out;

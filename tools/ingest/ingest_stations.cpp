@@ -102,7 +102,7 @@ class StationReader {
     if (find_invalid_utf8(name) != std::string::npos) {
       return {"name is not UTF-8", row.text(format_.name), false};
     }
-    if (!line_complaint(name).empty()) {
+    if (!validate_line(name).empty()) {
       return {"name with a control character", row.text(format_.name), false};
     }
     return {};

@@ -183,7 +183,7 @@ class Fields {
     const double number = DBFReadDoubleAttribute(table_.get(), record, at);
     const bool numeric = (type == FTInteger || type == FTDouble) && std::isfinite(number);
     const std::string shown = numeric ? decimal(number) : DBFReadStringAttribute(table_.get(), record, at);
-    if (const auto complaint = line_complaint(shown); !complaint.empty()) {
+    if (const auto complaint = validate_line(shown); !complaint.empty()) {
       throw bad_input(file_.string(), 0, "record " + std::to_string(record) + ": field `" + field + "` " + complaint);
     }
     return trimmed_id(shown);

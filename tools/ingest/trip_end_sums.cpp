@@ -1,5 +1,7 @@
 #include "tools/ingest/trip_end_sums.hpp"
 
+#include "tools/ingest/rounding.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -21,10 +23,10 @@ std::vector<double> TripEndSums::place(std::vector<Region>& regions, double cell
     if (sums.trips > 0.0) {
       const LocalPoint mean{sums.east / sums.trips, sums.north / sums.trips};
       const LatLon centroid = frame_.global(mean);
-      regions[r].centroid = {std::round(1e5 * centroid.lat) / 1e5, std::round(1e5 * centroid.lon) / 1e5};
+      regions[r].centroid = rounded(centroid);
       square += std::max(0.0, sums.square / sums.trips - mean.east * mean.east - mean.north * mean.north);
     }
-    spread.push_back(std::round(std::sqrt(square)) / 1000.0);
+    spread.push_back(rounded(std::sqrt(square) / 1000.0, 1e3));
   }
   return spread;
 }

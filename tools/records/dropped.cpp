@@ -14,7 +14,7 @@ constexpr std::size_t kMostBytes = 60;  // of a value that is shown
 
 std::string shown(std::string_view value) {
   std::string text(value.substr(0, kMostBytes));
-  while (!line_complaint(text).empty()) {
+  while (!validate_line(text).empty()) {
     const std::size_t byte = find_invalid_utf8(text);
     text[std::min({byte, find_control_character(text), text.find_first_of("\r\n\t")})] = '?';
   }

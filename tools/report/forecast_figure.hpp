@@ -20,7 +20,8 @@ struct ForecastFigure {
   Eigen::VectorXd deviation;  ///< standard deviation of the forecast's error, by the model
 };
 
-/// Lives through `counts` (N x steps) of a day that starts `start` minutes after the model's.
+/// Forecasts each step of `counts` (N x steps) from those before it. The day starts `start` minutes after the model's
+/// day.
 ForecastFigure forecast_figure(const SeasonalModel& model, DayKind kind, int start, const Eigen::MatrixXd& counts);
 
 }  // namespace evbal

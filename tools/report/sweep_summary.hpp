@@ -20,9 +20,9 @@ struct HourMean {
 
 /// One setting of a variant in one scenario under one schedule of faults.
 struct SweptPoint {
-  FinishedDay first;                                     ///< of its days
-  int pairs = 0;                                         ///< (day, seed)
-  std::map<std::string, double> means{};                 ///< of the totals: over days, of a day's mean over its seeds
+  FinishedDay first;                                     ///< first of the days with this setting
+  int pairs = 0;                                         ///< number of (day, seed) pairs
+  std::map<std::string, double> means{};                 ///< of each total: over seeds within a day, then over days
   std::map<std::string, std::vector<HourMean>> hours{};  ///< of the columns of the steps
 };
 
@@ -36,9 +36,10 @@ struct Answer {
   std::string refused{};         ///< why there is none; empty if there is
 };
 
-/// What is asked about each of the `references`: lost passengers, both kinds of unfairness, charger wait and idle km;
-/// if the reference has several settings at equal idle km, and idle km at equally many lost passengers. Each for the
-/// whole day and, where the totals know it, from 07:00 on. Throws Error{bad_input} if a reference is no variant.
+/// What is asked about each of the `references`: lost passengers, both kinds of unfairness, charger wait and idle km.
+/// If the reference has several settings, idle km are compared at equally many lost passengers, all else at equal idle
+/// km. Each for the whole day and, where the totals know it, from 07:00 on. Throws Error{bad_input} if a reference is
+/// no variant.
 std::vector<Answer> answers(const std::vector<FinishedDay>& days, const std::vector<std::string>& references);
 
 }  // namespace evbal

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-/// How sure a mean over days is ("How a result is earned", docs/metrics.md). Days are the unit: seeds of one day share
+/// How sure a mean over days is (docs/sweeps.md). Days are the unit: seeds of one day share
 /// its demand, so they are averaged first, and it is the days' means that vary.
 namespace evbal {
 
