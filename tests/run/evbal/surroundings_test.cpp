@@ -23,6 +23,11 @@ struct Surroundings {
   int ports = 0;            ///< that it has; a run asks for 9910 and those that follow first
 };
 
+// As the test runner names them.
+void PrintTo(const Surroundings& surroundings, std::ostream* out) {
+  *out << surroundings.name;
+}
+
 std::string profiles(const std::string& text) {
   return "<?xml version=\"1.0\"?><dds><profiles xmlns=\"http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles\">" +
          text + "</profiles></dds>";
