@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <string_view>
 
 namespace evbal {
 namespace {
@@ -22,7 +23,7 @@ using nlohmann::json;
 using Complaint = std::domain_error;
 
 /// A member of an object; null if it has none, or if it is no object.
-const json& member(const json& object, const std::string& name) {
+const json& member(const json& object, std::string_view name) {
   static const json none;
   const auto found = object.find(name);
   return found == object.end() ? none : *found;
