@@ -56,10 +56,10 @@ TEST(FolderLockDeathTest, TellsAFileSystemWithoutLocksFromAnotherHolder) {
       {
         forbid_locks();
         try {
-          std::exit(FolderLock(folder.path()).held() ? 0 : 1);
+          std::_Exit(FolderLock(folder.path()).held() ? 0 : 1);
         } catch (const Error& error) {
           std::fputs(error.what(), stderr);
-          std::exit(static_cast<int>(error.status()));
+          std::_Exit(static_cast<int>(error.status()));
         }
       },
       testing::ExitedWithCode(3), "cannot be locked: No locks available; give one on a local file system");
