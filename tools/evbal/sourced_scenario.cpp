@@ -88,8 +88,9 @@ class Lines {
   /// Those of a map at `path`, of which `given` is what the user wrote.
   void add(const YamlValue& resolved, const std::optional<YamlValue>& given, const std::string& path) {
     YamlMap map(resolved);
+    const std::string prefix = path.empty() ? "" : path + ".";
     for (const auto& key : map.keys()) {
-      add_value(key, map.require(key), find(given, key), path.empty() ? key : path + "." + key);
+      add_value(key, map.require(key), find(given, key), prefix + key);
     }
   }
 
@@ -103,7 +104,11 @@ class Lines {
     std::string text;
     for (const auto& [line, source] : lines_) {
       const std::string space(line.size() < width ? width - line.size() : 0, ' ');
-      text += line + (source.empty() ? "" : space + "  # " + source) + "\n";
+      text += line;
+      if (!source.empty()) {
+        text.append(space).append("  # ").append(source);
+      }
+      text += "\n";
     }
     return text;
   }
@@ -127,7 +132,7 @@ class Lines {
       return path == "faults.resolved" ? "drawn" : source_of_default(path);
     }
     const std::string file = std::filesystem::path(given->file()).filename().string();
-    const std::string place = given->line() == 0 ? "--set" : file + ":" + std::to_string(given->line());
+    std::string place = given->line() == 0 ? "--set" : file + ":" + std::to_string(given->line());
     if (path != "faults.faults") {
       return place;
     }
@@ -138,16 +143,16 @@ class Lines {
                  const std::string& path) {
     const std::string indent(2 * static_cast<std::size_t>(std::count(path.begin(), path.end(), '.')), ' ');
     if (value.is_map()) {
-      lines_.push_back({indent + key + ":", ""});
+      lines_.emplace_back(indent + key + ":", "");
       add(value, given, path);
       return;
     }
     out_.sources.emplace_back(path, source_of(path, given));
     const bool below = holds_maps(value);
-    lines_.push_back({indent + key + ":" + (below ? "" : " " + one_line(value)), out_.sources.back().second});
+    lines_.emplace_back(indent + key + ":" + (below ? "" : " " + one_line(value)), out_.sources.back().second);
     if (below) {
       for (const auto& item : value.items()) {
-        lines_.push_back({indent + "  - " + one_line(item), ""});
+        lines_.emplace_back(indent + "  - " + one_line(item), "");
       }
     }
   }
