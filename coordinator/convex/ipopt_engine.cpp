@@ -16,8 +16,8 @@
 #include <utility>
 
 // Debian 13 builds Ipopt's MUMPS with MPI, and Ipopt would start it in every program that is linked to it, as soon as
-// it is loaded: it takes time and leaves files behind. So MPI is started before the first
-// solve only, and ended only if it was started.
+// it is loaded: it takes time and leaves files behind. So MPI is started before the first solve only, and ended only if
+// it was started.
 namespace {
 
 bool mpi_wanted = false;

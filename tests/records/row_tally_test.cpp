@@ -23,7 +23,7 @@ std::string tally(const std::string& text) {
       if (!fault && !table.number(0)) {
         fault = {"`n` is no number", table.text(0)};
       }
-      fault ? rows.drop(fault) : rows.keep();
+      rows.keeps(fault);
     }
     rows.finish();
     said = dropped.report();

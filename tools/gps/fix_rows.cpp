@@ -1,9 +1,9 @@
 #include "tools/gps/fix_rows.hpp"
 
 #include "agents/world/pack_table.hpp"
+#include "tools/records/record_place.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace evbal {
@@ -35,13 +35,8 @@ RowFault FixRows::read(const RawTable& row, Fix& fix) const {
   if (format_.vehicle && !is_plain(row.text(*format_.vehicle))) {
     return {"no vehicle's name without blanks, commas and quotes", row.text(*format_.vehicle)};
   }
-  const auto lat = row.number(format_.lat);
-  if (!lat || std::abs(*lat) > 90.0) {
-    return {"no latitude in degrees, -90 to 90", row.text(format_.lat)};
-  }
-  const auto lon = row.number(format_.lon);
-  if (!lon || std::abs(*lon) > 180.0) {
-    return {"no longitude in degrees, -180 to 180", row.text(format_.lon)};
+  if (const RowFault fault = read_place(row, format_.lat, format_.lon, fix.place)) {
+    return fault;
   }
   const std::string_view flag = row.text(format_.occupied);
   if (flag != format_.occupied_word && flag != format_.free_word) {
@@ -53,9 +48,8 @@ RowFault FixRows::read(const RawTable& row, Fix& fix) const {
       TimeReading::done) {
     return {unreadable_time(time, form), time};
   }
-  fix.place = {*lat, *lon};
   fix.occupied = flag == format_.occupied_word;
-  if (*lat == 0.0 && *lon == 0.0) {
+  if (fix.place.lat == 0.0 && fix.place.lon == 0.0) {
     return {"at 0,0, which receivers write that know no place", time, false};
   }
   return {};

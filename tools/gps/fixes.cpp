@@ -209,11 +209,9 @@ class Reader {
  private:
   void take(const RawTable& table, RowTally& tally) {
     Fix fix;
-    if (const RowFault fault = rows_.read(table, fix)) {
-      tally.drop(fault);
+    if (!tally.keeps(rows_.read(table, fix))) {
       return;
     }
-    tally.keep();
     if (format_.vehicle) {
       sorter_.begin_vehicle(table.text(*format_.vehicle));
     }

@@ -4,6 +4,7 @@
 #include "common/error.hpp"
 #include "tools/ingest/count_notes.hpp"
 #include "tools/ingest/ingest_partition.hpp"
+#include "tools/ingest/rounding.hpp"
 #include "tools/ingest/station_list.hpp"
 #include "tools/ingest/trip_end_sums.hpp"
 #include "tools/ingest/zone_places.hpp"
@@ -81,7 +82,7 @@ void set_mean_travel(const TravelSample& travel, const ZoneCounts& counts, std::
   factors.spread_km = std::move(spread_km);
   set_travel(city);
   city.factors.reset();
-  city.minutes = city.minutes.unaryExpr([](double minutes) { return std::round(10.0 * minutes) / 10.0; });
+  city.minutes = city.minutes.unaryExpr([](double minutes) { return rounded(minutes, 10.0); });
 }
 
 /// The distance by which the detour is measured: between random places in two regions.

@@ -50,11 +50,7 @@ class CellReader {
       RowTally tally(table, all.dropped);
       while (table.next()) {
         ++all.rows;
-        if (const RowFault fault = add(table, all)) {
-          tally.drop(fault);
-        } else {
-          tally.keep();
-        }
+        tally.keeps(add(table, all));
       }
       tally.finish();
     } catch (const Error& error) {

@@ -4,6 +4,7 @@
 #include "common/plain_text.hpp"
 #include "tools/ingest/station_list.hpp"
 #include "tools/ingest/time_pattern.hpp"
+#include "tools/records/record_place.hpp"
 #include "tools/records/row_tally.hpp"
 
 #include <algorithm>
@@ -37,7 +38,7 @@ class StationReader {
       return row.fault();
     }
     Station station;
-    RowFault fault = read_place(row, station.place);
+    RowFault fault = read_place(row, format_.lat, format_.lon, station.place);
     fault = fault ? fault : read_points(row, station.points);
     fault = fault ? fault : read_name(row, station.name);
     if (fault) {
@@ -57,19 +58,6 @@ class StationReader {
   long long snapped = 0;
 
  private:
-  RowFault read_place(const RawTable& row, LatLon& place) const {
-    const auto lat = row.number(format_.lat);
-    if (!lat || std::abs(*lat) > 90.0) {
-      return {"no latitude in degrees, -90 to 90", row.text(format_.lat)};
-    }
-    const auto lon = row.number(format_.lon);
-    if (!lon || std::abs(*lon) > 180.0) {
-      return {"no longitude in degrees, -180 to 180", row.text(format_.lon)};
-    }
-    place = {*lat, *lon};
-    return {};
-  }
-
   RowFault read_points(const RawTable& row, int& points) const {
     bool told = false;
     long long sum = 0;
@@ -149,11 +137,7 @@ IngestedStations ingest_stations(const std::filesystem::path& table, const Stati
     RawTable rows(table, format.table);
     RowTally tally(rows, dropped);
     for (; rows.next(); ++read) {
-      if (const RowFault fault = reader.add(rows)) {
-        tally.drop(fault);
-      } else {
-        tally.keep();
-      }
+      tally.keeps(reader.add(rows));
     }
     tally.finish();
     if (reader.list.stations().empty()) {

@@ -75,10 +75,7 @@ void read_table(const std::filesystem::path& file, const SessionFormat& format, 
   RowTally tally(table, dropped);
   for (; table.next(); ++read) {
     double length = 0.0;
-    if (const RowFault fault = reader.read(table, length)) {
-      tally.drop(fault);
-    } else {
-      tally.keep();
+    if (tally.keeps(reader.read(table, length))) {
       minutes.push_back(length);
     }
   }

@@ -5,6 +5,14 @@
 
 namespace evbal {
 
+TravelLaw least_squares(double trips, double km, double minutes, double km2, double km_minutes) {
+  const double spread = trips * km2 - km * km;
+  TravelLaw law;
+  law.per_km = spread > 0.0 ? (trips * km_minutes - km * minutes) / spread : 0.0;
+  law.start = trips > 0.0 ? (minutes - law.per_km * km) / trips : 0.0;
+  return law;
+}
+
 TravelSums::TravelSums(int regions, LatLon origin)
     : frame_(origin),
       trips_(Eigen::MatrixXd::Zero(regions, regions)),
@@ -43,12 +51,7 @@ std::vector<LatLon> TravelSums::centroids(const std::vector<LatLon>& fallback) c
 }
 
 TravelLaw TravelSums::law() const {
-  const double n = trips_.sum();
-  const double spread = n * km2_ - km_.sum() * km_.sum();
-  TravelLaw law;
-  law.per_km = spread > 0.0 ? (n * km_minutes_ - km_.sum() * minutes_.sum()) / spread : 0.0;
-  law.start = n > 0.0 ? (minutes_.sum() - law.per_km * km_.sum()) / n : 0.0;
-  return law;
+  return least_squares(trips_.sum(), km_.sum(), minutes_.sum(), km2_, km_minutes_);
 }
 
 TravelSums::Matrices TravelSums::matrices(const std::vector<LatLon>& centroids, double detour,

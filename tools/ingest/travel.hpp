@@ -14,6 +14,9 @@ struct TravelLaw {
   double per_km = 0.0;  ///< minutes
 };
 
+/// The law that fits trips best, from their number and their sums of km, minutes, km * km and km * minutes.
+TravelLaw least_squares(double trips, double km, double minutes, double km2, double km_minutes);
+
 /// Sums over trips from which km and minutes of every pair of regions follow, seen or not.
 class TravelSums {
  public:

@@ -100,11 +100,7 @@ struct TravelTotals {
     km_minutes += trip.km * trip.minutes;
   }
 
-  TravelLaw law() const {
-    const double spread = trips * km2 - km * km;
-    const double per_km = spread > 0.0 ? (trips * km_minutes - km * minutes) / spread : 0.0;
-    return {(minutes - per_km * km) / trips, per_km};
-  }
+  TravelLaw law() const { return least_squares(trips, km, minutes, km2, km_minutes); }
 };
 
 void fit_hours(const std::vector<SampleTrip>& trips, const TravelTotals& all, TravelSample& fit) {
@@ -153,11 +149,9 @@ TravelSample fit_travel(const std::filesystem::path& table, const SampleFormat& 
       SampleTrip trip;
       int from = 0;
       int to = 0;
-      if (const RowFault fault = reader.read(rows, trip, from, to)) {
-        tally.drop(fault);
+      if (!tally.keeps(reader.read(rows, trip, from, to))) {
         continue;
       }
-      tally.keep();
       trip.straight_km = straight_km(from, to);
       trips.push_back(trip);
       all.add(trip);

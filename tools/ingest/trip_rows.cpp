@@ -1,8 +1,8 @@
 #include "tools/ingest/trip_rows.hpp"
 
 #include "tools/records/dropped.hpp"
+#include "tools/records/record_place.hpp"
 
-#include <cmath>
 #include <limits>
 
 namespace evbal {
@@ -42,16 +42,7 @@ RowFault TripEndColumns::read_place(const RawTable& table, const ZonePlaces& zon
     place = found.value_or(place);
     return found ? RowFault{} : RowFault{no_zone_, name, false};
   }
-  const auto lat = table.number(end_.lat);
-  if (!lat || std::abs(*lat) > 90.0) {
-    return {no_lat_, table.text(end_.lat)};
-  }
-  const auto lon = table.number(end_.lon);
-  if (!lon || std::abs(*lon) > 180.0) {
-    return {no_lon_, table.text(end_.lon)};
-  }
-  place = {*lat, *lon};
-  return {};
+  return evbal::read_place(table, end_.lat, end_.lon, place, no_lat_, no_lon_);
 }
 
 std::string TripEndColumns::place(const RawTable& table) const {

@@ -74,12 +74,7 @@ class TripReader {
     const long long read_before = count.read;
     const long long used_before = count.used;
     while (table.next()) {
-      if (const RowFault fault = take(table)) {
-        tally.drop(fault);
-      } else {
-        tally.keep();
-        ++count.used;
-      }
+      count.used += tally.keeps(take(table)) ? 1 : 0;
     }
     tally.finish();
     if (count.read > read_before && count.used == used_before) {

@@ -44,12 +44,7 @@ class CountReader {
     RowTally tally(table, dropped);
     for (; table.next(); ++rows) {
       ZoneCount cell;
-      if (const RowFault fault = read(table, cell)) {
-        tally.drop(fault);
-        continue;
-      }
-      tally.keep();
-      if (cell.trips > 0) {
+      if (tally.keeps(read(table, cell)) && cell.trips > 0) {
         cells.push_back(cell);
       }
     }

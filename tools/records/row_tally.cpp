@@ -7,11 +7,14 @@ constexpr long long kRowsToJudge = 100;
 
 }  // namespace
 
-void RowTally::drop(const RowFault& fault) {
+bool RowTally::keeps(const RowFault& fault) {
   ++rows_;
+  if (!fault) {
+    return true;
+  }
   dropped_.add(fault.reason, table_.file(), table_.line(), fault.value);
   if (!fault.unreadable) {
-    return;
+    return false;
   }
   if (unreadable_ == 0) {
     first_ = table_.error(std::string(fault.reason) + ": " + shown(fault.value)).what();
@@ -20,6 +23,7 @@ void RowTally::drop(const RowFault& fault) {
   if (rows_ == kRowsToJudge && unreadable_ == rows_) {
     throw refused();
   }
+  return false;
 }
 
 void RowTally::finish() const {

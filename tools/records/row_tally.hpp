@@ -14,14 +14,11 @@ class RowTally {
   /// Both must outlive this. What is dropped is added to `dropped`.
   RowTally(const RawTable& table, Dropped& dropped) : table_(table), dropped_(dropped) {}
 
-  /// The current row counts.
-  void keep() { ++rows_; }
+  /// Counts the current row: dropped for its fault, or kept if it has none, which is what is returned. Throws
+  /// Error{bad_input} at the first row if it is the hundredth and none could be read.
+  bool keeps(const RowFault& fault);
 
-  /// The current row is dropped. Throws Error{bad_input} at the first row if it is the hundredth and none could be
-  /// read.
-  void drop(const RowFault& fault);
-
-  /// The table is at its end. Throws as drop() does if it has rows and none could be read.
+  /// The table is at its end. Throws as keeps() does if it has rows and none could be read.
   void finish() const;
 
  private:
