@@ -42,8 +42,8 @@ class SessionReader {
     if (format_.charger && row.text(*format_.charger).find(choice_.model) == std::string_view::npos) {
       return {"another model of charger", row.text(*format_.charger), false};
     }
-    const auto start = time(row, format_.start);
-    const auto end = start ? time(row, format_.end) : std::nullopt;
+    const auto start = time_in(row, format_.start, format_.time, text_);
+    const auto end = start ? time_in(row, format_.end, format_.time, text_) : std::nullopt;
     if (!end) {
       const bool told = text_.find_first_not_of(' ') != std::string::npos;
       return {told ? std::string_view(no_time_) : "no start or no end", text_, told};
@@ -57,11 +57,6 @@ class SessionReader {
   }
 
  private:
-  std::optional<long long> time(const RawTable& row, const std::vector<std::size_t>& columns) {
-    join_fields(row, columns, text_);
-    return time_like(format_.time, text_);
-  }
-
   const SessionFormat& format_;
   const SessionChoice& choice_;
   std::string no_time_;

@@ -125,11 +125,13 @@ std::vector<std::size_t> add_columns(TableFormat& format, const YamlValue& value
   return columns;
 }
 
-void join_fields(const RawTable& row, const std::vector<std::size_t>& columns, std::string& text) {
+std::optional<long long> time_in(const RawTable& row, const std::vector<std::size_t>& columns, std::string_view pattern,
+                                 std::string& text) {
   text.clear();
   for (std::size_t c = 0; c < columns.size(); ++c) {
     text.append(c == 0 ? "" : " ").append(row.text(columns[c]));
   }
+  return time_like(pattern, text);
 }
 
 }  // namespace evbal

@@ -26,7 +26,9 @@ std::string time_example(const std::string& pattern);
 /// Appends the column, or the list of columns, that `value` names (add_column).
 std::vector<std::size_t> add_columns(TableFormat& format, const YamlValue& value);
 
-/// Puts the fields of these columns into `text`, with a blank between.
-void join_fields(const RawTable& row, const std::vector<std::size_t>& columns, std::string& text);
+/// The time in the fields of these columns, read with a blank between as time_like() does. They are put into `text`,
+/// for messages.
+std::optional<long long> time_in(const RawTable& row, const std::vector<std::size_t>& columns, std::string_view pattern,
+                                 std::string& text);
 
 }  // namespace evbal

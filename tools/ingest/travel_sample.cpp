@@ -36,8 +36,8 @@ class SampleReader {
     if (!row.whole()) {
       return row.fault();
     }
-    const auto start = time(row, format_.start);
-    const auto end = start ? time(row, format_.end) : std::nullopt;
+    const auto start = time_in(row, format_.start, format_.pattern, text_);
+    const auto end = start ? time_in(row, format_.end, format_.pattern, text_) : std::nullopt;
     if (!end) {
       return {no_time_, text_};
     }
@@ -68,11 +68,6 @@ class SampleReader {
       return {trip.km < kShortestKm ? "under 100 m" : "too fast", row.text(format_.distance), false};
     }
     return {};
-  }
-
-  std::optional<long long> time(const RawTable& row, const std::vector<std::size_t>& columns) {
-    join_fields(row, columns, text_);
-    return time_like(format_.pattern, text_);
   }
 
   const SampleFormat& format_;

@@ -75,8 +75,7 @@ class CountReader {
   }
 
   RowFault read_time(const RawTable& row, ZoneCount& cell) {
-    join_fields(row, format_.time, text_);
-    const auto time = time_like(format_.pattern, text_);
+    const auto time = time_in(row, format_.time, format_.pattern, text_);
     if (!time) {
       return {no_time_, text_};
     }
