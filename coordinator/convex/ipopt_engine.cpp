@@ -8,47 +8,25 @@
 #include <ClpSimplex.hpp>
 #include <IpIpoptApplication.hpp>
 #include <IpSolveStatistics.hpp>
-#include <dlfcn.h>
+#include <IpoptConfig.h>
 
 #include <atomic>
-#include <cstdlib>
 #include <string>
-#include <utility>
 
-// Debian 13 builds Ipopt's MUMPS with MPI, and Ipopt would start it in every program that is linked to it, as soon as
-// it is loaded: it takes time and leaves files behind. So MPI is started before the first solve only, and ended only if
-// it was started.
-namespace {
-
-bool mpi_wanted = false;
-
-template <class Function>
-Function* of_the_mpi_library(const char* name) {
-  return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
+// MUMPS comes without MPI here, also where Debian's Ipopt was built for one with it: Ipopt is told that MPI was started
+// and ended by others, and leaves it alone.
+extern "C" int MPI_Initialized(int* flag) {
+  *flag = 1;
+  return 0;
 }
 
-}  // namespace
-
-extern "C" int MPI_Init(int* argc, char*** argv) {
-  auto* const init = of_the_mpi_library<int(int*, char***)>("MPI_Init");
-  return mpi_wanted && init != nullptr ? init(argc, argv) : 0;
-}
-
-extern "C" int MPI_Finalize() {
-  auto* const finalize = of_the_mpi_library<int()>("MPI_Finalize");
-  return mpi_wanted && finalize != nullptr ? finalize() : 0;
+extern "C" int MPI_Finalized(int* flag) {
+  *flag = 1;
+  return 0;
 }
 
 namespace evbal {
 namespace {
-
-void start_mpi_once() {
-  if (!std::exchange(mpi_wanted, true)) {
-    // Of Open MPI's transports that within a process is enough; that through shared memory leaves a file in /dev/shm.
-    setenv("OMPI_MCA_btl", "self", 1);
-    MPI_Init(nullptr, nullptr);
-  }
-}
 
 // MUMPS keeps its state in globals.
 class OneSolveAtATime {
@@ -160,7 +138,6 @@ double lower_bound(const ConvexProgram& program, const Eigen::VectorXd& x) {
 
 Solution solve_with_ipopt(const ConvexProgram& program, const EngineSettings& settings) {
   const OneSolveAtATime alone;
-  start_mpi_once();
   const Attempt found = safeguarded(program, settings.max_iterations);
   Solution solution;
   if (found.status == Ipopt::Solve_Succeeded) {
@@ -173,6 +150,10 @@ Solution solve_with_ipopt(const ConvexProgram& program, const EngineSettings& se
   }
   solution.certificate.iterations = found.iterations;
   return solution;
+}
+
+std::string ipopt_version() {
+  return IPOPT_VERSION;
 }
 
 }  // namespace evbal

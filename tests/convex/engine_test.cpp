@@ -1,5 +1,7 @@
 #include "coordinator/convex/engine.hpp"
 
+#include "tests/folder.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -158,6 +160,13 @@ TEST(IpoptDeathTest, RefusesASolveWithinASolve) {
     return parabola(at);
   };
   EXPECT_DEATH(solve(least_of(curve), {.name = "ipopt"}), "one solve by Ipopt at a time");
+}
+
+TEST(Ipopt, BringsNoMpiAlong) {
+  ASSERT_TRUE(solve(least_of(parabola), {.name = "ipopt"}).certificate.optimal());
+  const auto loaded = text_of("/proc/self/maps");
+  EXPECT_NE(loaded.find("/libdmumps"), std::string::npos);
+  EXPECT_EQ(loaded.find("/libmpi"), std::string::npos);
 }
 
 TEST(Cuts, SolvesInSeveralThreads) {
