@@ -4,6 +4,7 @@
 #include "common/error.hpp"
 #include "coordinator/planning/settings.hpp"
 #include "tools/fit/fit_city.hpp"
+#include "tools/fit/fit_json.hpp"
 #include "tools/fit/print_fit.hpp"
 #include "tools/fit/transition_table.hpp"
 
@@ -27,6 +28,7 @@ struct FitArguments {
   Stretch test;
   std::string transitions;
   std::string out;
+  bool json = false;
 };
 
 /// The city's days within a stretch. Throws Error{bad_input} if there are none.
@@ -50,13 +52,19 @@ void fit(const FitArguments& arguments) {
   });
   const auto transitions =
       arguments.transitions.empty() ? std::vector<Period>() : read_transitions(arguments.transitions, city.regions);
-  const auto tell = [](const std::string& line) { std::cout << line << std::endl; };
+  const auto tell = [&progress = arguments.json ? std::cerr : std::cout](const std::string& line) {
+    progress << line << std::endl;
+  };
   const CityFit fitted = fit_city(city, arguments.tau, tell, transitions);
   const std::filesystem::path file =
       arguments.out.empty() ? model_file({}, city) : std::filesystem::path(arguments.out);
   write_model(fitted.model, file);
-  print_fit(city, fitted);
-  std::printf("\nwrote %s\n", file.c_str());
+  if (arguments.json) {
+    std::fputs(fit_json(city, fitted, file).c_str(), stdout);
+  } else {
+    print_fit(city, fitted);
+    std::printf("\nwrote %s\n", file.c_str());
+  }
 }
 
 }  // namespace
@@ -75,6 +83,7 @@ void add_fit_command(CLI::App& app) {
   command->add_option("--tau", arguments->tau, "Steps that plans look ahead, at most")
       ->check(CLI::Range(1, 48))
       ->capture_default_str();
+  command->add_flag("--json", arguments->json, "As JSON; progress goes to standard error");
   command->callback([arguments] { fit(*arguments); });
 }
 

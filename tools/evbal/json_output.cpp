@@ -140,4 +140,14 @@ std::string sourced_json(const SourcedScenario& scenario) {
   return document({{"scenario", yaml_json(scenario.resolved)}, {"sources", std::move(sources)}});
 }
 
+std::string findings_json(const std::vector<Finding>& findings) {
+  Json json = Json::array();
+  for (const auto& finding : findings) {
+    json.push_back({{"what", finding.what},
+                    {"well", finding.well ? Json(*finding.well) : Json()},
+                    {"cure", finding.well.value_or(true) ? Json() : Json(finding.cure)}});
+  }
+  return document(json);
+}
+
 }  // namespace evbal

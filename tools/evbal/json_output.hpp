@@ -3,6 +3,7 @@
 #include "experiments/record/run_record.hpp"
 #include "experiments/study/executors/monte_carlo.hpp"
 #include "experiments/study/statistics/comparison.hpp"
+#include "tools/evbal/diagnosis.hpp"
 #include "tools/evbal/listing.hpp"
 #include "tools/evbal/sourced_scenario.hpp"
 #include "tools/verify/verify.hpp"
@@ -33,5 +34,8 @@ std::string listing_json(const Listing& listing);
 
 /// {"scenario": {...}, "sources": {"balancing.tau": source}}
 std::string sourced_json(const SourcedScenario& scenario);
+
+/// [{what, well, cure}]; `well` is null where either will do, `cure` where none is needed.
+std::string findings_json(const std::vector<Finding>& findings);
 
 }  // namespace evbal

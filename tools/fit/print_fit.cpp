@@ -2,22 +2,12 @@
 
 #include "tools/fit/turnover_fit.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <numeric>
 
 namespace evbal {
 namespace {
-
-Skill total(const std::vector<HeldOutDay>& days) {
-  Skill sum = days.at(0).skill;
-  for (std::size_t d = 1; d < days.size(); ++d) {
-    sum += days[d].skill;
-  }
-  return sum;
-}
 
 double percent(double part, double whole) {
   return whole > 0.0 ? 100.0 * part / whole : 0.0;
@@ -28,7 +18,7 @@ void print_skill(const char* series, const char* days, const std::vector<HeldOut
   if (held_out.empty()) {
     return;
   }
-  const Skill skill = total(held_out);
+  const Skill skill = skill_of(held_out);
   const auto worse = (skill.forecast.rowwise().sum().array() > skill.seasonal_mean.rowwise().sum().array()).count();
   std::printf("%-12s %-22s", series, days);
   for (const auto* rival : {&skill.seasonal_mean, &skill.last_value}) {
@@ -43,7 +33,7 @@ void print_skill(const char* series, const char* days, const std::vector<HeldOut
 void print_region(const SeriesFit& fit, std::size_t region) {
   const ArmaOrder& order = fit.orders.region[region];
   const auto i = static_cast<int>(region);
-  const bool thin = std::find(fit.orders.thin.begin(), fit.orders.thin.end(), i) != fit.orders.thin.end();
+  const bool thin = is_thin(fit.orders, i);
   if (thin) {
     std::printf("   %-8s", "mean");
   } else {
@@ -54,7 +44,7 @@ void print_region(const SeriesFit& fit, std::size_t region) {
       std::printf(" %6s %6s", "-", "-");
       continue;
     }
-    const Skill skill = total(*days);
+    const Skill skill = skill_of(*days);
     std::printf(" %6.1f %6.1f", percent(skill.forecast(i, 0), skill.seasonal_mean(i, 0)),
                 percent(skill.forecast(i, 0), skill.last_value(i, 0)));
   }
@@ -91,7 +81,6 @@ struct PaperRow {
 };
 constexpr std::array<PaperRow, 6> paper{
     {{1.504, 3.715}, {.964, 2.832}, {.576, 2.006}, {.399, 1.768}, {.296, 1.374}, {.176, 1.317}}};
-constexpr int most_covered = 100;  ///< N_B up to which held-out coverage is defined
 
 void print_thresholds(const char* series, const SeriesFit& fit) {
   if (fit.thresholds.empty()) {
@@ -105,8 +94,8 @@ void print_thresholds(const char* series, const SeriesFit& fit) {
     const auto& [value, error] = thresholds;
     std::printf("%6d  %8.4f +- %6.4f  %8.4f  %8.4f +- %6.4f  ", resample, value.g1, error.g1, std::sqrt(value.g1),
                 value.g2, error.g2);
-    if (resample <= most_covered && !fit.test.empty()) {
-      std::printf("%10.1f %5.1f %5.1f", 100.0 * test.g1, 100.0 * test.g2, 100.0 * test.both);
+    if (test) {
+      std::printf("%10.1f %5.1f %5.1f", 100.0 * test->g1, 100.0 * test->g2, 100.0 * test->both);
     } else {
       std::printf("%22s", "");
     }
@@ -116,16 +105,11 @@ void print_thresholds(const char* series, const SeriesFit& fit) {
 
 /// Of the innovation test: its alarm, and how many regions a day exceed it.
 void print_alarm(const char* series, const SeriesFit& fit) {
-  const double alarm = fit.model.errors.alarm + 1e-6;  // written numbers are rounded
   std::printf("%-12s alarm %6.2f, exceeded in", series, fit.model.errors.alarm);
   const std::array<std::pair<const char*, const std::vector<HeldOutDay>*>, 2> both{
       {{"training", &fit.training}, {"test", &fit.test}}};
   for (const auto& [name, days] : both) {
-    const auto exceeded = [alarm](double sum, const HeldOutDay& day) {
-      return sum + static_cast<double>((day.normalised_innovation.array() > alarm).count());
-    };
-    const double times = std::accumulate(days->begin(), days->end(), 0.0, exceeded);
-    std::printf(" %.1f regions a %s day", days->empty() ? 0.0 : times / static_cast<double>(days->size()), name);
+    std::printf(" %.1f regions a %s day", alarms_a_day(fit.model, *days), name);
   }
   std::printf("\n");
 }

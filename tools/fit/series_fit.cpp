@@ -8,6 +8,7 @@ namespace evbal {
 namespace {
 
 constexpr std::array<int, 6> resample_sizes{10, 20, 50, 100, 500, 1000};
+constexpr int most_covered = 100;  ///< N_B up to which held-out coverage is defined
 
 /// Written numbers stay short: a millionth of a vehicle is nothing.
 double rounded(double value) {
@@ -64,7 +65,7 @@ std::vector<ThresholdRow> threshold_table(const SeriesFit& fit, int leads, const
   for (const int resample : resample_sizes) {
     const Bootstrap bootstrap{.resample = resample};
     ThresholdRow row{resample, bootstrap_thresholds(training, covariance, bootstrap), {}};
-    if (!fit.test.empty()) {
+    if (resample <= most_covered && !fit.test.empty()) {
       const Eigen::MatrixXd test = rows_of(residuals_of(fit.test), leads, regions);
       row.test = coverage(test, covariance, row.thresholds.value, bootstrap);
     }
@@ -91,6 +92,27 @@ SeriesFit fit_series(const SeriesDays& days, int step_minutes, int leads, const 
     fit.thresholds = threshold_table(fit, leads, regions);
   }
   return fit;
+}
+
+Skill skill_of(const std::vector<HeldOutDay>& days) {
+  Skill sum = days.at(0).skill;
+  for (std::size_t d = 1; d < days.size(); ++d) {
+    sum += days[d].skill;
+  }
+  return sum;
+}
+
+double alarms_a_day(const SeriesModel& model, const std::vector<HeldOutDay>& days) {
+  const double alarm = model.errors.alarm + 1e-6;  // written numbers are rounded
+  Eigen::Index exceeded = 0;
+  for (const HeldOutDay& day : days) {
+    exceeded += (day.normalised_innovation.array() > alarm).count();
+  }
+  return static_cast<double>(exceeded) / std::max(1.0, static_cast<double>(days.size()));
+}
+
+bool is_thin(const SeasonalOrders& orders, int region) {
+  return std::ranges::find(orders.thin, region) != orders.thin.end();
 }
 
 }  // namespace evbal

@@ -3,6 +3,7 @@
 #include "coordinator/forecast/seasonal_fit.hpp"
 #include "coordinator/planning/city_model.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace evbal {
@@ -18,7 +19,7 @@ struct ThresholdRow {
   /// N_B.
   int resample = 0;
   BootstrapThresholds thresholds;  ///< of the training days
-  Coverage test;                   ///< of the test days
+  std::optional<Coverage> test;  ///< of the test days; none without any, and for N_B above 100, where it is not defined
 };
 
 /// A series' model and how good it is.
@@ -33,5 +34,14 @@ struct SeriesFit {
 /// Fits forecasts and the distribution of their errors for `leads` steps ahead (docs/model.md, section 5). Only
 /// `regions` vary.
 SeriesFit fit_series(const SeriesDays& days, int step_minutes, int leads, const std::vector<int>& regions);
+
+/// Squared errors of all of the days, one at least.
+Skill skill_of(const std::vector<HeldOutDay>& days);
+
+/// Regions, and the city, that exceed the alarm of `model`'s innovation test, a day; 0 without days.
+double alarms_a_day(const SeriesModel& model, const std::vector<HeldOutDay>& days);
+
+/// Whether a region has too few counts to be forecast by more than its seasonal mean.
+bool is_thin(const SeasonalOrders& orders, int region);
 
 }  // namespace evbal

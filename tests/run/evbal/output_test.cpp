@@ -4,6 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
+#include <fstream>
 
 namespace evbal {
 namespace {
@@ -85,6 +88,46 @@ TEST(Json, HoldsWhatManyDrawsCameTo) {
   EXPECT_EQ(drawn["folder"], "drawn");
   EXPECT_EQ(drawn["controllers"][0]["draws"], 2);
   EXPECT_TRUE(drawn["controllers"][0]["metrics"]["lost"].contains("median"));
+}
+
+TEST(Json, HoldsHowGoodAFitIs) {
+  const CommandLine line;
+  const std::string table = line.evbal("fit toy-5 --out model.json").out;
+  const Json fit = json_of(line, "fit toy-5 --out model.json");
+  EXPECT_EQ(fit["model"], "model.json");
+  EXPECT_EQ(fit["turnover"]["phi"], Json::parse(text_of(line.path() / "model.json"))["turnover"]["phi"]);
+  for (const char* series : {"demand", "completions"}) {
+    const Json& of = fit[series];
+    EXPECT_EQ(of["regions"].size(), 5U);
+    EXPECT_EQ(of["thresholds"][2]["resample"], 50);
+    EXPECT_TRUE(of["thresholds"][2]["coverage"].contains("both"));
+    EXPECT_TRUE(of["thresholds"][4]["coverage"].is_null());
+    std::array<char, 64> row{};
+    std::snprintf(row.data(), row.size(), "%-12s test %*s %6.1f %6.1f  ", series, 19, "",
+                  100.0 * of["test"]["of_seasonal_mean"][0].get<double>(),
+                  100.0 * of["test"]["of_seasonal_mean"][1].get<double>());
+    EXPECT_NE(table.find(row.data()), std::string::npos) << row.data() << "\n" << table;
+  }
+  EXPECT_NE(text_of(line.path() / "err.txt").find("demand: "), std::string::npos) << "what is done next";
+}
+
+TEST(Json, HoldsADiagnosis) {
+  const CommandLine line;
+  const auto finding = [](const Json& findings, const std::string& what) {
+    const auto found = std::find_if(findings.begin(), findings.end(), [&](const Json& one) {
+      return one["what"].get<std::string>().find(what) != std::string::npos;
+    });
+    return found == findings.end() ? Json(what + " was not looked at") : *found;
+  };
+  const Json well = Json::parse(line.evbal("doctor --json").out);
+  EXPECT_EQ(finding(well, "UDP over 127.0.0.1"),
+            Json({{"what", "UDP over 127.0.0.1"}, {"well", true}, {"cure", nullptr}}));
+  EXPECT_TRUE(finding(well, "Ipopt 3.")["well"].is_null());
+  const Ended unfit = line.evbal("doctor --json", "ulimit -n 20;");
+  EXPECT_EQ(unfit.status, 3);
+  const Json files = finding(Json::parse(unfit.out), " open files");
+  EXPECT_EQ(files["well"], false);
+  EXPECT_NE(files["cure"].get<std::string>().find("`ulimit -n 1024`"), std::string::npos) << files;
 }
 
 TEST(CrossCheck, ChangesNothingButItsOwnEntry) {
