@@ -14,6 +14,9 @@ if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 endif()
 if(EVBAL_SANITIZE)
   target_compile_options(evbal_options INTERFACE -fsanitize=${EVBAL_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(evbal_options INTERFACE $<BUILD_INTERFACE:-Wno-maybe-uninitialized>)  # false alarms on sanitized code
+  endif()
   if(EVBAL_SANITIZE MATCHES undefined)
     # AddressSanitizer stops at such pointers too; without these checks the build takes three quarters of the time.
     target_compile_options(evbal_options INTERFACE -fno-sanitize=null,alignment,object-size)
