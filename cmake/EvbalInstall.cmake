@@ -9,7 +9,7 @@ endforeach()
 
 install(FILES LICENSE NOTICE docs/data-licences.md DESTINATION share/doc/evbal)
 
-evbal_install(evbal_eigen evbal_mrpt_math evbal_ipopt evbal_clp evbal_nlopt)
+evbal_install(evbal_eigen evbal_mrpt_math evbal_ipopt evbal_clp evbal_lapack evbal_nlopt)
 include(CMakePackageConfigHelpers)
 set(package_folder lib/cmake/evbal)
 install(EXPORT evbal NAMESPACE evbal:: FILE evbalTargets.cmake DESTINATION ${package_folder})

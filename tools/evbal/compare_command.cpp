@@ -1,13 +1,16 @@
 #include "tools/evbal/compare_command.hpp"
 
+#include "common/error.hpp"
 #include "experiments/study/statistics/comparison.hpp"
 #include "experiments/study/store/sweep_file.hpp"
 #include "experiments/study/store/sweep_folder.hpp"
+#include "tools/evbal/bounded_days.hpp"
 #include "tools/evbal/console_table.hpp"
 #include "tools/evbal/json_output.hpp"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -64,6 +67,22 @@ std::string table_of(const std::vector<Compared>& rows, const Question& question
   return aligned(table, 4);
 }
 
+/// The days of a sweep; with them the bounds of these, if they are asked for.
+std::vector<FinishedDay> days_for(const Question& question, const std::filesystem::path& folder) {
+  std::vector<FinishedDay> days = read_finished(folder / sweep_file_name);
+  const auto is_reference = [&](const FinishedDay& day) { return day.variant == question.reference; };
+  if (question.reference == bound_variant && std::none_of(days.begin(), days.end(), is_reference)) {
+    if (question.metric != "lost" || question.at != "idle_km") {
+      throw bad_input(
+          "--against bound: is a front of lost passengers against idle km; compare `--metric lost --at "
+          "idle_km`");
+    }
+    const std::vector<FinishedDay> bounded = bounded_days(folder / sweep_file_name, days);
+    days.insert(days.end(), bounded.begin(), bounded.end());
+  }
+  return days;
+}
+
 }  // namespace
 
 void add_compare_command(CLI::App& app) {
@@ -77,12 +96,15 @@ void add_compare_command(CLI::App& app) {
   question.metric = "lost";
   CLI::App* command = app.add_subcommand("compare", "Compare the variants of a finished sweep, paired by day and seed");
   command->add_option("DIR", arguments->folder, "Directory that `evbal sweep` wrote")->required();
-  command->add_option("--against", question.reference, "Variant to compare the others with")->required();
+  command
+      ->add_option("--against", question.reference,
+                   "Variant to compare the others with; `bound`: that of `evbal bound`, with `--at idle_km`")
+      ->required();
   command->add_option("--metric", question.metric, "What is compared; `lost` unless given");
   command->add_option("--at", question.at, "Metric at whose equal values, along the reference's front: `idle_km`");
   command->add_flag("--json", arguments->json, "Print the rows as JSON");
   command->callback([arguments] {
-    const auto rows = compare(read_finished(arguments->folder / sweep_file_name), arguments->question);
+    const auto rows = compare(days_for(arguments->question, arguments->folder), arguments->question);
     std::fputs((arguments->json ? compared_json(rows) : table_of(rows, arguments->question)).c_str(), stdout);
   });
 }

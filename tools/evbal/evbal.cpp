@@ -3,6 +3,7 @@
 #include "common/pin.hpp"
 #include "common/plain_text.hpp"
 #include "common/version.hpp"
+#include "tools/evbal/bound_command.hpp"
 #include "tools/evbal/compare_command.hpp"
 #include "tools/evbal/doctor_command.hpp"
 #include "tools/evbal/fit_command.hpp"
@@ -49,6 +50,7 @@ int main(int argc, char** argv) {
   evbal::add_tune_command(app);
   evbal::add_slurm_task_command(app);
   evbal::add_compare_command(app);
+  evbal::add_bound_command(app);
   evbal::add_report_command(app);
   evbal::add_replay_command(app);
   evbal::add_ingest_command(app);

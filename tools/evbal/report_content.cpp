@@ -3,8 +3,10 @@
 #include "common/error.hpp"
 #include "common/files.hpp"
 #include "coordinator/planning/city_model.hpp"
+#include "experiments/bound/bound_file.hpp"
 #include "experiments/record/paired_run.hpp"
 #include "experiments/scenario/scenario.hpp"
+#include "tools/evbal/runs_folder.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -100,6 +102,14 @@ ReportedRun reported(const RecordedRun& run) {
   return reported;
 }
 
+/// The bound that was computed for the run's day, if one was.
+std::optional<DayBound> known_bound(const RecordedRun& run) {
+  if (!fs::exists(bounds_folder())) {
+    return std::nullopt;
+  }
+  return read_bound(bound_file(bounds_folder(), bound_key(read_scenario(run.folder / "scenario.resolved.yaml"))));
+}
+
 /// The map of the runs' city, if all are of one with as many regions.
 void add_map(const std::vector<RecordedRun>& runs, const City& city, PageContent& content) {
   const auto elsewhere =
@@ -113,6 +123,11 @@ void add_map(const std::vector<RecordedRun>& runs, const City& city, PageContent
 
 void add_runs(const std::vector<RecordedRun>& runs, PageContent& content) {
   std::transform(runs.begin(), runs.end(), std::back_inserter(content.runs), reported);
+  add_or_say(content, "bounds", [&] {
+    for (ReportedRun& run : content.runs) {
+      run.bound = known_bound(run);
+    }
+  });
   add_or_say(content, "map, forecasts and thresholds", [&] {
     const Scenario scenario = read_scenario(runs.front().folder / "scenario.resolved.yaml");
     add_or_say(content, "map", [&] { add_map(runs, scenario.world.city, content); });

@@ -21,6 +21,10 @@ fs::path claim_folder(const Scenario& scenario) {
   }
 }
 
+fs::path bounds_folder() {
+  return fs::path("runs") / "bounds";
+}
+
 void name_latest(const fs::path& folder) {
   const fs::path latest = folder.parent_path() / "latest";
   const fs::path made = folder.parent_path() / (".latest-" + std::to_string(getpid()));

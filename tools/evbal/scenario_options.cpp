@@ -21,22 +21,27 @@ std::string seed_complaint(const std::string& text) {
 
 }  // namespace
 
-void add_scenario_options(CLI::App& command, ScenarioOptions& options) {
+void add_day_options(CLI::App& command, ScenarioOptions& options) {
   Overrides& overrides = options.overrides;
   command.add_option("SCENARIO", options.scenario, "Scenario file (YAML), or the name of a shipped one")->required();
   command
       .add_option("--set", overrides.settings, "Any key of the scenario, such as balancing.p_shortage=20; repeatable")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+  command.add_option("--day", overrides.day, "Another day on record, such as 2008-06-04");
+  command.add_option("--seed", overrides.seed, "Another seed")->check(seed_complaint);
+  command.add_option("--faults", overrides.faults, "Another fault schedule (YAML), or the name of a shipped one");
+}
+
+void add_scenario_options(CLI::App& command, ScenarioOptions& options) {
+  add_day_options(command, options);
+  Overrides& overrides = options.overrides;
   command.add_option("--controller", overrides.controller, "One controller in place of the scenario's");
   command
       .add_option_function<std::string>(
           "--coordinator", [&overrides](const std::string& text) { overrides.coordinator = words_of(text); },
           "Program that makes the plans in place of evbal-coordinator, with its words")
       ->type_name("COMMAND");
-  command.add_option("--day", overrides.day, "Another day on record, such as 2008-06-04");
-  command.add_option("--seed", overrides.seed, "Another seed")->check(seed_complaint);
-  command.add_option("--faults", overrides.faults, "Another fault schedule (YAML), or the name of a shipped one");
   command.add_option("--transport", overrides.transport, "dds: processes on a bus; inproc: one process");
   command.add_option("--regions-per-process", overrides.regions_per_process, "Regions that an agent hosts");
   command.add_option("--engine", overrides.engine, "Solver of the balancing problem: ipopt or cuts");

@@ -38,6 +38,7 @@ void verify(const std::string& name, bool json) {
   };
   add({compare_with_moment_problem()});
   add(compare_engines());
+  add(compare_bounds());
   add(compare_with_theorem(read_model(model_file({}, city))));
   if (json) {
     std::fputs(comparisons_json(all).c_str(), stdout);

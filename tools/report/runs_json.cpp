@@ -93,6 +93,21 @@ Json costs_json(const RecordedRun& run, const RecordedRun& twin) {
   return costs;
 }
 
+/// The bound, and what it says of a run that drove so many km without passengers.
+Json bound_json(const DayBound& bound, double km) {
+  const auto pair = [](const Driving& driving) { return Json{driving.km, driving.lost}; };
+  Json json = {{"km", km}, {"lost", fewest_lost(bound, km)}, {"down", Json::array()}, {"up", Json::array()}};
+  for (const Driving& corner : bound_corners(bound)) {
+    json["down"].push_back(pair(corner));
+  }
+  for (const BoundPoint& point : bound.points) {
+    if (point.up) {
+      json["up"].push_back(pair(*point.up));
+    }
+  }
+  return json;
+}
+
 Json run_json(const ReportedRun& run, const std::string& label) {
   Json json = {{"label", label},
                {"controller", run.controller},
@@ -121,6 +136,9 @@ Json run_json(const ReportedRun& run, const std::string& label) {
   if (run.without_faults) {
     json["without_faults"] = {{"steps", run.without_faults->steps}};
     json["costs"] = costs_json(run, *run.without_faults);
+  }
+  if (run.bound) {
+    json["bound"] = bound_json(*run.bound, run.totals.at("rebalance_km") + run.totals.at("charge_km"));
   }
   return json;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "experiments/bound/bound_front.hpp"
 #include "experiments/record/recorded_run.hpp"
 
 #include <nlohmann/json_fwd.hpp>
@@ -9,9 +10,10 @@
 
 namespace evbal {
 
-/// A run with the same day without faults beside it, if there is one.
+/// A run, with what is known of its day beside it.
 struct ReportedRun : RecordedRun {
-  std::optional<RecordedRun> without_faults{};  ///< the same day
+  std::optional<RecordedRun> without_faults{};  ///< the same day, if it was played
+  std::optional<DayBound> bound{};              ///< of the day, if it was computed
 };
 
 /// The runs as the page reads them. With `map`, region by region too.

@@ -4,8 +4,11 @@
 #include "common/random.hpp"
 #include "coordinator/balancing/controllers.hpp"
 #include "coordinator/balancing/worst_case.hpp"
+#include "experiments/bound/bound_front.hpp"
 #include "tools/samples/random_planning_data.hpp"
+#include "tools/verify/cheapest_day.hpp"
 #include "tools/verify/csdp.hpp"
+#include "tools/verify/flow_by_clp.hpp"
 #include "tools/verify/inner_problem.hpp"
 #include "tools/verify/moment_problem.hpp"
 
@@ -138,6 +141,28 @@ std::vector<Comparison> compare_engines() {
     }
   }
   return comparisons;
+}
+
+std::vector<Comparison> compare_bounds() {
+  Comparison above{.what = "bound above the best of all plays, tiny days", .allowed = tolerance};
+  Comparison program{.what = "linear program of the bound by Clp, tiny days", .allowed = 2.0 * flow_gap};
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    const BoundDay day = tiny_day(seed);
+    for (const double price : {1.0, 4.0, 20.0}) {
+      const DayBound bound = day_bound(day, {price}, [](const BoundProgress&) { return false; });
+      const BoundPoint& point = bound.points.front();
+      const std::string where = "seed " + std::to_string(seed) + ", price " + std::to_string(static_cast<int>(price));
+      if (!point.tight || !point.up) {
+        throw run_failed(program.what + ", " + where + ": the interior point does not settle");
+      }
+      const double cheapest = cheapest_day(day, price);
+      meet(above, std::max(point.bound, cheapest), cheapest, where);
+      meet(program, point.bound, flow_by_clp(time_network(day, Rounding::down), price), where + ", down");
+      meet(program, price * point.up->lost + point.up->km, flow_by_clp(time_network(day, Rounding::up), price),
+           where + ", up");
+    }
+  }
+  return {above, program};
 }
 
 }  // namespace evbal

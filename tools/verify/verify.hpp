@@ -28,4 +28,8 @@ Comparison compare_with_moment_problem();
 /// Engine against engine, every controller that solves a problem, on random cities.
 std::vector<Comparison> compare_engines();
 
+/// The bound of tiny days against the cheapest way to play them, of which it may not be above; and its linear program
+/// against Clp.
+std::vector<Comparison> compare_bounds();
+
 }  // namespace evbal

@@ -42,6 +42,7 @@ const totals = [
   {name: "Unfairness of utilisation", digits: 1, better: -1, value: run => run.totals.unfairness_charging},
   {name: "Served passengers", digits: 0, better: 1, value: run => run.totals.served},
   {name: "Lost passengers", digits: 0, better: -1, value: run => run.totals.lost},
+  {name: "Fewest that could be lost at this distance", digits: 1, better: 0, value: run => run.bound?.lost},
   {name: "Lost share of passengers", unit: "%", digits: 1, better: -1, value: run => 100 * run.totals.unserved_ratio},
   {name: "Lost share, worst tenth of regions", unit: "%", digits: 1, better: -1,
    value: run => 100 * run.totals.p90_regional_loss},
@@ -77,7 +78,8 @@ function totalsTable() {
   const [first, ...others] = report.runs;
   const head = ["The day", element("th", "", swatch(0), first.label)];
   others.forEach((run, i) => head.push(element("th", "", swatch(i + 1), run.label), "against " + first.label));
-  return table(head, totals.map(row => [
+  const known = totals.filter(row => report.runs.every(run => row.value(run) !== undefined));
+  return table(head, known.map(row => [
     element("td", "", row.name + " ", element("small", "", row.unit ?? "")),
     number(row.value(first), row.digits),
     ...others.flatMap(run => [number(row.value(run), row.digits), change(row.value(run) / row.value(first), row.better)]),
@@ -112,6 +114,42 @@ function hourlyChart({axis, value}) {
     ])};
 }
 
+// Corners [km, lost] of a falling line, from where it comes below `highest` to `farthest`.
+function within(corners, highest, farthest) {
+  const inside = corners.filter(([km, lost]) => lost <= highest && km <= farthest);
+  const before = corners.findLast(([, lost]) => lost > highest);
+  if (before !== undefined && inside.length > 0) {
+    const [km, lost] = inside[0];
+    const share = (before[1] - highest) / (before[1] - lost);
+    inside.unshift([before[0] + share * (km - before[0]), highest]);
+  }
+  return inside.map(([x, y]) => ({x, y}));
+}
+
+function boundChart() {
+  const bounded = report.runs.map((run, i) => ({run, i})).filter(({run}) => run.bound);
+  const played = bounded.map(({run, i}) =>
+    ({label: run.label, style: i, points: [{x: run.bound.km, y: run.totals.lost}]}));
+  const all = played.flatMap(series => series.points).concat(bounded.flatMap(({run}) =>
+    run.bound.up.map(([x, y]) => ({x, y}))));
+  const highest = 1.1 * d3.max(all, point => point.y);
+  const farthest = 1.1 * d3.max(all, point => point.x);
+  const bounds = [...new Map(bounded.map(({run}) => [JSON.stringify(run.bound.down), run.bound])).values()];
+  return {x: {label: "km without passengers"}, y: {label: "lost passengers"}, series: bounds.flatMap((bound, i) => [
+    {label: "no day is below", style: report.runs.length + i, bare: true,
+      points: within([...bound.down, [farthest, bound.down.at(-1)[1]]], highest, farthest)},
+    {label: "nearly attainable", style: report.runs.length + i, thin: true,
+      points: within([...bound.up].sort((a, b) => a[0] - b[0]), highest, farthest)},
+  ]).concat(played)};
+}
+
+function addBound() {
+  section("What was possible", element("p", "", "The fewest passengers that this day could lose at each distance, had " +
+    "all been known beforehand and had batteries not mattered: a bound on whatever controller, with travel rounded to " +
+    "the nearest tick in its favour and against it."),
+    figures([figure("The bound of the day", "Left and below is better.", boundChart)]));
+}
+
 function runNotes() {
   const code = text => element("code", "", text);
   return element("div", "notes", ...report.runs.map(run => element("div", "",
@@ -126,6 +164,9 @@ function addRuns() {
   const words = number(first.regions) + " regions, " + number(first.fleet) + " vehicles, seed " + first.seed + ".";
   section(weekday, element("p", "", words), element("div", "card wide", totalsTable()), runNotes());
   section("Hour by hour", figures(hourly.map(one => figure(one.title, one.note, () => hourlyChart(one)))));
+  if (report.runs.some(run => run.bound)) {
+    addBound();
+  }
   const costs = planCosts();
   if (costs.any) {
     section("What a plan costs", element("p", "", "The objective over the horizon by term, mean over the day's plans, in "

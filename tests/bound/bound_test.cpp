@@ -1,0 +1,254 @@
+#include "agents/world/draws.hpp"
+#include "common/error.hpp"
+#include "coordinator/balancing/controllers.hpp"
+#include "experiments/bound/bound_front.hpp"
+#include "experiments/conductor/inproc_players.hpp"
+#include "experiments/conductor/run_day.hpp"
+#include "experiments/run/record_day.hpp"
+#include "experiments/scenario/scenario.hpp"
+#include "tests/support/source_folder.hpp"
+#include "tests/support/worlds.hpp"
+#include "tools/verify/cheapest_day.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+namespace evbal {
+namespace {
+
+const std::vector<double> prices = {0.5, 3.0, 30.0};
+
+bool never(const BoundProgress&) {
+  return false;
+}
+
+/// Only what is a bound.
+bool but_up(const BoundProgress& progress) {
+  return progress.rounding == Rounding::up;
+}
+
+/// Two regions, 10 km and 20 min apart; trips within one take 10 min.
+BoundDay two_regions(const std::vector<int>& cars, const std::vector<BoundPassenger>& passengers) {
+  BoundDay day;
+  day.ticks = 12;
+  day.tick = 5;
+  day.step = 30;
+  day.km = (Eigen::MatrixXd(2, 2) << 1, 10, 10, 1).finished();
+  day.minutes = (Eigen::MatrixXi(2, 2) << 10, 20, 20, 10).finished();
+  day.cars = cars;
+  day.passengers = passengers;
+  return day;
+}
+
+/// To whoever waits most come all cars of the regions that have more than they need.
+Plan chase(int tick, const std::vector<Report>& reports) {
+  Plan plan;
+  plan.tick = tick;
+  const auto needy = std::max_element(reports.begin(), reports.end(), [](const Report& a, const Report& b) {
+    return a.waiting - a.vacant < b.waiting - b.vacant;
+  });
+  for (const Report& report : reports) {
+    const int spare = report.vacant - report.waiting;
+    if (needy->waiting > needy->vacant && report.region != needy->region && spare > 0) {
+      plan.moves.push_back({.from = report.region, .to = needy->region, .count = spare, .errand = Errand::rebalance});
+    }
+  }
+  return plan;
+}
+
+/// What a played day came to, all km without passengers counted.
+Driving came_to(const World& world, const InprocPlayers::Planner& planner, const std::vector<Faults>& faults) {
+  InprocPlayers players(world, planner, [&](int tick) { return faults[tick]; });
+  Driving driving;
+  run_day(world, players, [&](const TickRecord& record) {
+    for (const Departures& said : record.exchange.departures) {
+      for (const Departure& departure : said.departures) {
+        driving.km += departure.errand == Errand::passenger ? 0.0 : departure.km;
+      }
+      driving.lost += static_cast<double>(
+          std::count_if(said.fates.begin(), said.fates.end(), [](const Fate& fate) { return !fate.served; }));
+    }
+  });
+  return driving;
+}
+
+/// All that makes a passenger, to be sorted.
+using Told = std::tuple<int, int, int, int>;
+
+std::vector<Told> told(const BoundDay& day) {
+  std::vector<Told> all;
+  for (const BoundPassenger& one : day.passengers) {
+    all.emplace_back(one.origin, one.appears, one.destination, one.last);
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+RC_GTEST_PROP(BoundDay, HasThePassengersWhoCanBeLost, ()) {
+  const World world = *test::small_worlds();
+  std::vector<Told> drawn;
+  for (int region = 0; region < world.city.size(); ++region) {
+    for (const Passenger& one : draw_passengers(world, region)) {
+      if (one.appears + one.patience < world.clock.minutes()) {
+        drawn.emplace_back(region, one.appears, one.destination, one.appears + one.patience);
+      }
+    }
+  }
+  std::sort(drawn.begin(), drawn.end());
+  const BoundDay day = bound_day(world, test::no_faults);
+  RC_ASSERT(told(day) == drawn);
+  const auto twice = [&](int tick) {
+    Faults faults = test::no_faults(tick);
+    for (int region = 0; region < world.city.size(); ++region) {
+      faults.effects.push_back({.fault = 0, .type = EffectType::demand_scale, .region = region, .magnitude = 2.0});
+    }
+    return faults;
+  };
+  RC_ASSERT(told(bound_day(world, twice)).size() >= drawn.size());
+  RC_ASSERT(std::accumulate(day.cars.begin(), day.cars.end(), 0) == world.city.fleet.vehicles);
+}
+
+TEST(CapacityBound, IsWorkedOutByHand) {
+  // Six trips of 20 min that must begin within five minutes, for two cars, in a window of 30 min.
+  std::vector<BoundPassenger> six(6, {.origin = 0, .destination = 1, .appears = 2, .last = 7});
+  const CapacityBound bound = capacity_bound(two_regions({2, 0}, six));
+  EXPECT_EQ(bound.lost, 3);  // 60 car-minutes for trips of 20
+  EXPECT_EQ(bound.start, 0);
+  EXPECT_EQ(bound.end, 30);
+}
+
+TEST(DayBound, OfOneTripIsTheWayToIt) {
+  const BoundDay day = two_regions({1, 0}, {{.origin = 1, .destination = 0, .appears = 25, .last = 30}});
+  const DayBound bound = day_bound(day, {4.0, 40.0}, never);
+  ASSERT_EQ(bound.points.size(), 2U);
+  EXPECT_NEAR(bound.points[0].bound, 4.0, 1e-4);  // cheaper to lose him
+  EXPECT_NEAR(bound.points[1].bound, 10.0, 1e-3);
+  EXPECT_NEAR(bound.points[1].up->km, 10.0, 1e-2);
+  EXPECT_NEAR(fewest_lost(bound, 5.0), 0.125, 1e-4);  // 40 lost + 5 >= 10
+  EXPECT_EQ(fewest_lost(bound, 11.0), 0.0);
+}
+
+TEST(DayBound, RoundsArrivalsDownAndUp) {
+  // A car is there in minute 24 for a passenger who is gone after minute 21: down it is as if it came in 20.
+  BoundDay day = two_regions({1, 0}, {{.origin = 1, .destination = 0, .appears = 20, .last = 21}});
+  day.minutes(0, 1) = 24;
+  const DayBound bound = day_bound(day, {40.0}, never);
+  EXPECT_NEAR(bound.points[0].bound, 10.0, 1e-3);
+  EXPECT_NEAR(bound.points[0].up->lost, 1.0, 1e-3);
+  EXPECT_NEAR(*bound.points[0].bracket(), 3.0, 1e-2);
+}
+
+TEST(DayBound, IsOneWheneverItIsStopped) {
+  const BoundDay day = tiny_day(3);
+  const double best = day_bound(day, {5.0}, never).points.front().bound;
+  for (int asked = 0; asked < 12; ++asked) {
+    int left = asked;
+    const DayBound stopped = day_bound(day, {5.0}, [&](const BoundProgress&) { return left-- <= 0; });
+    EXPECT_LE(stopped.points.front().bound, best + 1e-4) << asked;
+    EXPECT_GE(stopped.points.front().bound, 0.0) << asked;
+    EXPECT_EQ(stopped.points.front().tight, stopped.points.front().down.has_value()) << asked;
+  }
+}
+
+TEST(DayBound, RefusesWhatNoMemoryHolds) {
+  BoundDay day = two_regions({1, 1}, {});
+  day.ticks = 1000;
+  day.cars.assign(2000, 1);
+  try {
+    day_bound(day, {1.0}, never);
+    ADD_FAILURE() << "took it";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("2000 regions and ticks of 5 min takes "), std::string::npos);
+  }
+}
+
+TEST(DayBound, HasTheCornersOfAllItsLines) {
+  DayBound bound;
+  bound.points = {{.price = 1.0, .bound = 10.0}, {.price = 4.0, .bound = 16.0}};
+  const std::vector<Driving> corners = bound_corners(bound);
+  ASSERT_EQ(corners.size(), 4U);
+  EXPECT_DOUBLE_EQ(corners[0].lost, 10.0);  // at 0 km
+  EXPECT_DOUBLE_EQ(corners[1].km, 8.0);     // where the lines cross
+  EXPECT_DOUBLE_EQ(corners[1].lost, 2.0);
+  EXPECT_DOUBLE_EQ(corners[3].km, 16.0);
+  EXPECT_DOUBLE_EQ(corners[3].lost, 0.0);
+}
+
+TEST(DayBound, IsNotAboveTheBestOfAllPlays) {
+  int equal = 0;
+  int days = 0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    const BoundDay day = tiny_day(seed);
+    const double cheapest = cheapest_day(day, 7.0);
+    const double bound = day_bound(day, {7.0}, but_up).points.front().bound;
+    EXPECT_LE(bound, cheapest + 1e-9) << "seed " << seed;
+    if (day.tick == 1) {
+      ++days;
+      equal += std::abs(bound - cheapest) < 1e-2 ? 1 : 0;
+    }
+  }
+  // Nothing is rounded on these. In the others half a car serves half a passenger, or leaves when it arrives.
+  EXPECT_GE(days, 15);
+  EXPECT_GE(4 * equal, 3 * days);
+}
+
+// Whoever plays, whatever goes wrong: no day lies below the bound.
+RC_GTEST_PROP(DayBound, IsNeverBeaten, ()) {
+  const World world = *test::small_worlds();
+  auto faults = *test::faults_for(world);
+  for (Faults& of_tick : faults) {
+    for (Effect& effect : of_tick.effects) {
+      if (effect.type == EffectType::travel_slow) {
+        effect.magnitude = std::max(1.0, effect.magnitude);  // as schedules ask for it
+      }
+    }
+  }
+  const DayBound bound = day_bound(bound_day(world, [&](int tick) { return faults[tick]; }), prices, but_up);
+  const std::vector<InprocPlayers::Planner> planners = {
+      [](const Tick& tick, const auto&) { return test::hold(tick.tick); },
+      [](const Tick& tick, const auto& reports) { return test::wander(1, tick.tick, reports); },
+      [](const Tick& tick, const auto& reports) { return chase(tick.tick, reports); }};
+  for (const auto& planner : planners) {
+    const Driving played = came_to(world, planner, faults);
+    RC_ASSERT(played.lost >= bound.capacity.lost);
+    for (const BoundPoint& point : bound.points) {
+      RC_ASSERT(point.price * played.lost + played.km >= point.bound - 1e-6);
+    }
+  }
+}
+
+TEST(DayBound, IsBelowEveryControllerOnTheToyCity) {
+  Overrides overrides;
+  overrides.settings = {"clock={start: \"07:00\", end: \"10:00\", tick: 5min, step: 30min, plan_every: 10min}",
+                        "faults={schema: 1, seed: 1, faults: [{name: spike, type: demand.scale, target: {regions: "
+                        "[1, 4]}, start: \"08:00\", duration: 90min, magnitude: 1.8}]}",
+                        "transport=inproc"};
+  const Scenario scenario = read_scenario(test::in_source("experiments/scenarios/toy.yaml"), overrides);
+  const DayBound bound = day_bound(bound_day(scenario), prices, never);
+  EXPECT_GT(bound.points.back().bound, 1.0);
+  for (const std::string& controller : controller_names()) {
+    const Totals totals = play_day(with_controller(scenario, controller)).metrics.totals;
+    const double km = totals.flows.rebalance_km + totals.flows.charge_km;
+    for (const BoundPoint& point : bound.points) {
+      EXPECT_GE(point.price * static_cast<double>(totals.flows.lost) + km, point.bound) << controller;
+    }
+    EXPECT_GE(static_cast<double>(totals.flows.lost), fewest_lost(bound, km)) << controller;
+  }
+}
+
+// The capacity bound knows no places.
+RC_GTEST_PROP(CapacityBound, LiesBelowTheFront, ()) {
+  const World world = *test::small_worlds();
+  const DayBound bound = day_bound(bound_day(world, test::no_faults), {1e4}, never);
+  RC_ASSERT(bound.points.front().up.has_value());
+  // At such a price km hardly count. Up, no trip is shorter than it is; but part of a passenger may be served.
+  RC_ASSERT(bound.capacity.lost <= bound.points.front().up->lost + 1.0 + 1e-3);
+}
+
+}  // namespace
+}  // namespace evbal
