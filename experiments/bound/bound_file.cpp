@@ -48,7 +48,7 @@ std::string bound_key(const Scenario& scenario) {
   yaml.key("patience").begin_list().number(world.city.passengers.patience_low);
   yaml.number(world.city.passengers.patience_high).end_list();
   yaml.key("faults").begin_map();
-  write_schedule(yaml, scenario.schedule, world.clock);
+  write_schedule(yaml, {.seed = 0, .guard = {}, .faults = scenario.schedule.faults}, world.clock);  // as drawn
   return text_digest(yaml.end_map().finish());
 }
 

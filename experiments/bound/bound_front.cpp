@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <tuple>
 
 namespace evbal {
 namespace {
@@ -58,13 +59,28 @@ DayBound day_bound(const BoundDay& day, const std::vector<double>& prices,
       if (rounding == Rounding::up) {
         point.up = driving;
       } else {
-        point.bound = flow.bound;
+        // What costs so much at a lower price costs no less at this one.
+        point.bound = std::max(flow.bound, i == 0 ? 0.0 : bound.points[i - 1].bound);
         point.tight = flow.solved;
         point.down = driving;
       }
     }
   }
   return bound;
+}
+
+DayBound merged(const DayBound& one, const DayBound& other) {
+  DayBound both = one;
+  for (const BoundPoint& point : other.points) {
+    const auto at = std::find_if(both.points.begin(), both.points.end(),
+                                 [&](const BoundPoint& known) { return known.price >= point.price; });
+    if (at == both.points.end() || at->price > point.price) {
+      both.points.insert(at, point);
+    } else if (std::tuple(point.complete(), point.bound) > std::tuple(at->complete(), at->bound)) {
+      *at = point;
+    }
+  }
+  return both;
 }
 
 double fewest_lost(const DayBound& bound, double km) {

@@ -26,6 +26,9 @@ struct BoundPoint {
 
   /// How much higher the cost of `up` lies than the bound, relative to it; none without `up`.
   std::optional<double> bracket() const;
+
+  /// Whether nothing more can be found.
+  bool complete() const { return tight && up.has_value(); }
 };
 
 /// The bound of a day.
@@ -47,6 +50,9 @@ struct BoundProgress {
 /// be solved.
 DayBound day_bound(const BoundDay& day, const std::vector<double>& prices,
                    const std::function<bool(const BoundProgress&)>& stop);
+
+/// All points of two bounds of the same day; of those at the same price the complete one or else the higher one.
+DayBound merged(const DayBound& one, const DayBound& other);
 
 /// The fewest passengers that a day loses at some km, by all points and the capacity bound.
 double fewest_lost(const DayBound& bound, double km);

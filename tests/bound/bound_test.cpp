@@ -167,6 +167,18 @@ TEST(DayBound, RefusesWhatNoMemoryHolds) {
   }
 }
 
+TEST(DayBound, KeepsTheBetterOfTwo) {
+  DayBound one;
+  one.points = {{.price = 2.0, .bound = 7.0, .tight = true, .up = Driving{}}, {.price = 5.0, .bound = 8.0}};
+  DayBound other;
+  other.points = {{.price = 1.0, .bound = 3.0}, {.price = 2.0, .bound = 4.0}, {.price = 5.0, .bound = 9.0}};
+  const DayBound both = merged(one, other);
+  ASSERT_EQ(both.points.size(), 3U);
+  EXPECT_EQ(both.points[0].price, 1.0);
+  EXPECT_EQ(both.points[1].bound, 7.0);
+  EXPECT_EQ(both.points[2].bound, 9.0);
+}
+
 TEST(DayBound, HasTheCornersOfAllItsLines) {
   DayBound bound;
   bound.points = {{.price = 1.0, .bound = 10.0}, {.price = 4.0, .bound = 16.0}};

@@ -108,10 +108,10 @@ void print(const DayBound& bound, const Scenario& scenario, const fs::path& file
 
 /// Whether a bound has all that is asked for.
 bool answers(const DayBound& bound, const std::vector<double>& prices) {
-  return std::equal(bound.points.begin(), bound.points.end(), prices.begin(), prices.end(),
-                    [](const BoundPoint& point, double price) {
-                      return point.price == price && point.tight && point.up.has_value();
-                    });
+  return std::all_of(prices.begin(), prices.end(), [&](double price) {
+    return std::any_of(bound.points.begin(), bound.points.end(),
+                       [&](const BoundPoint& point) { return point.price == price && point.complete(); });
+  });
 }
 
 void bound(const BoundArguments& arguments) {
@@ -125,8 +125,9 @@ void bound(const BoundArguments& arguments) {
   std::optional<DayBound> known = read_bound(file);
   if (!known || !answers(*known, arguments.prices)) {
     BoundClock clock(arguments);
-    known = day_bound(bound_day(scenario), arguments.prices,
-                      [&](const BoundProgress& progress) { return clock.is_over(progress); });
+    const DayBound found = day_bound(bound_day(scenario), arguments.prices,
+                                     [&](const BoundProgress& progress) { return clock.is_over(progress); });
+    known = known ? merged(*known, found) : found;
     fs::create_directories(file.parent_path());
     write_file(file, bound_csv(*known));
   }

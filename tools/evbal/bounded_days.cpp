@@ -41,7 +41,13 @@ class BoundKeys {
       for (const auto& [path, value] : std::get<2>(at->first)) {
         overrides.settings.push_back(path + "=" + value);
       }
-      at->second = bound_key(read_scenario(scenario_, overrides));
+      const Scenario scenario = read_scenario(scenario_, overrides);
+      if (!scenario.schedule.faults.empty()) {
+        throw bad_input(
+            "--against bound: the sweep's first days have faults, which are drawn anew for each seed; "
+            "bounds are compared with days without");
+      }
+      at->second = bound_key(scenario);
       const std::string& first = first_.emplace(std::pair(day.day, day.seed), at->second).first->second;
       if (first != at->second) {
         throw bad_input("variant `" + day.variant + "` plays another day than others on " + day.day +

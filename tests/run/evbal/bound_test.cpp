@@ -47,19 +47,27 @@ TEST(Bound, IsShownByReportsOnItsDay) {
 
 TEST(Bound, IsComparedWithASweep) {
   const CommandLine line;
-  std::ofstream(line.path() / "sweep.yaml") << "schema: 1\nscenario: morning.yaml\nseeds: [1]\ndays: [2024-01-11]\n"
+  std::ofstream(line.path() / "calm.yaml") << "schema: 1\ncity: toy-5\nday: 2024-01-11\nseed: 1\ntransport: inproc\n"
+                                              "clock: {start: \"07:00\", end: \"10:00\"}\n";
+  std::ofstream(line.path() / "sweep.yaml") << "schema: 1\nscenario: calm.yaml\nseeds: [1]\ndays: [2024-01-11]\n"
                                                "variants: [{controller: greedy}, {controller: none}]\n";
   ASSERT_EQ(line.evbal("sweep sweep.yaml --out swept --quiet").status, 0);
   const std::string compare = "compare swept --against bound --at idle_km";
   const Ended before = line.evbal(compare);
   EXPECT_EQ(before.status, 2);
   EXPECT_NE(before.err.find("compute them with `evbal bound`"), std::string::npos) << before.err;
-  ASSERT_EQ(line.evbal("bound morning.yaml --prices 2 10 --quiet").status, 0);
+  ASSERT_EQ(line.evbal("bound calm.yaml --prices 2 10 --quiet").status, 0);
   const Ended compared = line.evbal(compare);
   ASSERT_EQ(compared.status, 0) << compared.err;
   EXPECT_NE(compared.out.find("greedy"), std::string::npos) << compared.out;
   EXPECT_NE(compared.out.find("none"), std::string::npos) << compared.out;
   EXPECT_EQ(line.evbal("compare swept --against bound").status, 2);
+  std::ofstream(line.path() / "faulted.yaml") << "schema: 1\nscenario: morning.yaml\nseeds: [1]\ndays: [2024-01-11]\n"
+                                                 "variants: [{controller: none}]\n";
+  ASSERT_EQ(line.evbal("sweep faulted.yaml --out faulted --quiet").status, 0);
+  const Ended faulted = line.evbal("compare faulted --against bound --at idle_km");
+  EXPECT_EQ(faulted.status, 2);
+  EXPECT_NE(faulted.err.find("drawn anew for each seed"), std::string::npos) << faulted.err;
 }
 
 TEST(Bound, IsOneWhenTimeIsUp) {
@@ -72,6 +80,10 @@ TEST(Bound, IsOneWhenTimeIsUp) {
   // It is not taken for the answer later.
   const Ended again = line.evbal("bound morning.yaml --prices 2 10 --quiet");
   EXPECT_EQ(again.out.find("out of time"), std::string::npos) << again.out;
+  // What is known is kept, whatever else is asked for.
+  EXPECT_EQ(line.evbal("bound morning.yaml --prices 2 4 --time-limit 1e-9 --quiet").status, 0);
+  EXPECT_NE(text_of(kept(line)).find("\n10,"), std::string::npos) << text_of(kept(line));
+  EXPECT_EQ(text_of(kept(line)).find("\n2,0,no"), std::string::npos) << text_of(kept(line));
 }
 
 TEST(Bound, RefusesWhatIsNoDayOrNoPrice) {
@@ -86,7 +98,7 @@ TEST(Bound, RefusesWhatIsNoDayOrNoPrice) {
   EXPECT_NE(day.err.find("--day"), std::string::npos) << day.err;
   line.scenario("draws.yaml",
                 "    - {name: more, type: demand.scale, target: {pick: 1}, start: \"08:00\",\n"
-                "       duration: 45min, magnitude: {uniform: [1.1, 2.0]}}\n"
+                "       duration: 45min, magnitude: {uniform: {min: 1.1, max: 2.0}}}\n"
                 "  runs: 3\n");
   const Ended draws = line.evbal("bound draws.yaml");
   EXPECT_EQ(draws.status, 2);
