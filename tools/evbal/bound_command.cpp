@@ -66,31 +66,31 @@ class BoundClock {
   SteadyClock::time_point start_ = SteadyClock::now();
 };
 
-std::string shown(double value, int digits) {
+std::string with_digits(double value, int digits) {
   std::array<char, 64> text{};
   std::snprintf(text.data(), text.size(), "%.*f", digits, value);
   return text.data();
 }
 
-std::string table_of(const DayBound& bound) {
+std::string bound_table(const DayBound& bound) {
   std::vector<std::vector<std::string>> table = {
       {"price", "cost at least", "down: km", "lost", "up: km", "lost", "bracket, %", ""}};
   for (const BoundPoint& point : bound.points) {
     const auto cells = [](const std::optional<Driving>& driving) {
-      return driving ? std::vector<std::string>{shown(driving->km, 0), shown(driving->lost, 1)}
+      return driving ? std::vector<std::string>{with_digits(driving->km, 0), with_digits(driving->lost, 1)}
                      : std::vector<std::string>{"", ""};
     };
     const auto down = cells(point.down);
     const auto up = cells(point.up);
     const auto bracket = point.bracket();
-    table.push_back({shown(point.price, 2), shown(point.bound, 1), down[0], down[1], up[0], up[1],
-                     bracket ? shown(100.0 * *bracket, 1) : "",
+    table.push_back({with_digits(point.price, 2), with_digits(point.bound, 1), down[0], down[1], up[0], up[1],
+                     bracket ? with_digits(100.0 * *bracket, 1) : "",
                      point.tight ? "" : "a bound, not the best: out of time"});
   }
   return aligned(table, 0);
 }
 
-void print(const DayBound& bound, const Scenario& scenario, const fs::path& file) {
+void print_bound(const DayBound& bound, const Scenario& scenario, const fs::path& file) {
   const World& world = scenario.world;
   std::printf("%s on %s, seed %llu: %d passengers who can be lost, %d cars. Batteries and chargers are left out.\n\n",
               world.city.name.c_str(), world.day.date.c_str(), static_cast<unsigned long long>(world.seed),
@@ -103,18 +103,18 @@ void print(const DayBound& bound, const Scenario& scenario, const fs::path& file
     std::printf("The fleet has minutes enough for all of them, if it were in the right places.\n\n");
   }
   std::printf("%s\nprice x lost + km driven empty is at least the cost, whoever plans this day.\n%s\n",
-              table_of(bound).c_str(), file.c_str());
+              bound_table(bound).c_str(), file.c_str());
 }
 
 /// Whether a bound has all that is asked for.
-bool answers(const DayBound& bound, const std::vector<double>& prices) {
+bool has_all(const DayBound& bound, const std::vector<double>& prices) {
   return std::all_of(prices.begin(), prices.end(), [&](double price) {
     return std::any_of(bound.points.begin(), bound.points.end(),
                        [&](const BoundPoint& point) { return point.price == price && point.complete(); });
   });
 }
 
-void bound(const BoundArguments& arguments) {
+void compute_bound(const BoundArguments& arguments) {
   catch_interrupts();
   const Scenario scenario = read_scenario(find_scenario(arguments.options.scenario), arguments.options.overrides);
   if (scenario.draws.size() > 1) {
@@ -123,7 +123,7 @@ void bound(const BoundArguments& arguments) {
   }
   const fs::path file = bound_file(bounds_folder(), bound_key(scenario));
   std::optional<DayBound> known = read_bound(file);
-  if (!known || !answers(*known, arguments.prices)) {
+  if (!known || !has_all(*known, arguments.prices)) {
     BoundClock clock(arguments);
     const DayBound found = day_bound(bound_day(scenario), arguments.prices,
                                      [&](const BoundProgress& progress) { return clock.is_over(progress); });
@@ -131,7 +131,7 @@ void bound(const BoundArguments& arguments) {
     fs::create_directories(file.parent_path());
     write_file(file, bound_csv(*known));
   }
-  print(*known, scenario, file);
+  print_bound(*known, scenario, file);
 }
 
 std::string prices_complaint(const std::string& text) {
@@ -158,7 +158,7 @@ void add_bound_command(CLI::App& app) {
   command->callback([arguments] {
     std::sort(arguments->prices.begin(), arguments->prices.end());
     arguments->prices.erase(std::unique(arguments->prices.begin(), arguments->prices.end()), arguments->prices.end());
-    bound(*arguments);
+    compute_bound(*arguments);
   });
 }
 
