@@ -2,11 +2,13 @@
 
 #include "common/plain_text.hpp"
 
+#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <fstream>
 #include <sstream>
+#include <vector>
 
 namespace evbal {
 namespace {
@@ -23,11 +25,42 @@ void check_characters(const std::string& text, const std::string& name) {
   refuse(find_control_character(text), "holds a control character; leave it out");
 }
 
-/// Line of the first thing in the second of several documents.
-int line_of_second(const std::vector<YAML::Node>& documents, const std::string& text) {
-  const YAML::Mark mark = documents[1].Mark();
-  const auto last = static_cast<int>(std::count(text.begin(), text.end(), '\n'));
-  return mark.is_null() ? last : std::min(mark.line + 1, last);
+/// Finds the first thing in the second document of a text.
+class SecondDocument : public YAML::EventHandler {
+ public:
+  YAML::Mark first = YAML::Mark::null_mark();  ///< thing in it that is not null
+
+  void OnDocumentStart(const YAML::Mark&) override { ++documents_; }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnScalar(const YAML::Mark& mark, const std::string&, YAML::anchor_t, const std::string&) override { see(mark); }
+  void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {
+    see(mark);
+  }
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {
+    see(mark);
+  }
+  void OnMapEnd() override {}
+
+ private:
+  void see(const YAML::Mark& mark) { first = documents_ == 2 && first.is_null() ? mark : first; }
+
+  int documents_ = 0;
+};
+
+/// Line of the first thing in the second of several documents, 0 if there is but one. YAML::LoadAll would read on for
+/// ever where a comma follows what is in braces: it takes it for one document after the other.
+int line_of_second(const std::string& text) {
+  std::istringstream in(text);
+  YAML::Parser parser(in);
+  SecondDocument second;
+  if (!parser.HandleNextDocument(second) || !parser.HandleNextDocument(second)) {
+    return 0;
+  }
+  const auto last = std::max(1, static_cast<int>(std::count(text.begin(), text.end(), '\n')));
+  return second.first.is_null() ? last : std::min(second.first.line + 1, last);
 }
 
 }  // namespace
@@ -64,15 +97,16 @@ YamlValue YamlValue::parse(const std::string& text, Source source) {
   const auto line = [&source](int number) { return source.has_lines ? number : 0; };
   try {
     check_characters(text, name);
-    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-    if (documents.size() > 1) {
-      throw bad_input(name, line(line_of_second(documents, text)),
-                      "a second document begins after `---` or `...`; leave one document in the file");
+    if (const int second = line_of_second(text); second > 0) {
+      throw bad_input(
+          name, line(second),
+          "a second document begins after `---`, `...` or what is in braces; leave one document in the file");
     }
-    if (documents.empty() || documents.front().IsNull()) {
+    const YAML::Node document = YAML::Load(text);
+    if (document.IsNull()) {
       throw bad_input(name, line(1), source.has_lines ? "is empty; a YAML map is expected" : "is empty; give a value");
     }
-    return {std::make_shared<YAML::Node>(documents.front()), std::make_shared<Source>(std::move(source))};
+    return {std::make_shared<YAML::Node>(document), std::make_shared<Source>(std::move(source))};
   } catch (const YAML::Exception& e) {
     throw bad_input(name, line(e.mark.line + 1), "not valid YAML: " + e.msg);
   }

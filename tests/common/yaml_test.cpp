@@ -110,6 +110,8 @@ TEST(Yaml, RefusesASecondDocument) {
   expect_refused([] { YamlValue::parse("a: 1\n---\nb: 2\n", "a.yaml"); }, "a.yaml:3", "second document");
   expect_refused([] { YamlValue::parse("a: 1\n...\nb: 2\n", "a.yaml"); }, "a.yaml:3", "second document");
   expect_refused([] { YamlValue::parse("a: 1\n---\n", "a.yaml"); }, "a.yaml:2", "second document");
+  expect_refused([] { YamlValue::parse("{a: 1},\n{b: 2}\n", "a.yaml"); }, "a.yaml:2", "second document");
+  expect_refused([] { YamlValue::parse("{a: 1} b", "a.yaml"); }, "a.yaml:1", "second document");
   EXPECT_EQ(YamlMap(YamlValue::parse("# one\n---\na: 1\n...\n", "a.yaml")).require("a").integer(), 1);
 }
 
