@@ -23,12 +23,16 @@ using Rows = std::vector<Row>;
 constexpr long long kMorning = 1'709'535'660;  // 2024-03-04
 constexpr long long kYear = 365LL * 24 * 3600;
 
+Row day_of_a_cab_at(int minute) {
+  return {kMorning + 60 * minute, 52.36 + 0.02 * std::sin(minute / 30.0), 9.73 + 0.03 * std::cos(minute / 47.0),
+          minute / 12 % 2};
+}
+
 /// Ten hours of a cab, a fix a minute: twelve minutes without passengers, twelve with.
 Rows day_of_a_cab() {
   Rows rows;
   for (int minute = 0; minute < 600; ++minute) {
-    rows.push_back({kMorning + 60 * minute, 52.36 + 0.02 * std::sin(minute / 30.0),
-                    9.73 + 0.03 * std::cos(minute / 47.0), minute / 12 % 2});
+    rows.push_back(day_of_a_cab_at(minute));
   }
   return rows;
 }
@@ -203,6 +207,17 @@ TEST_F(RawFixes, FromTheNewestToTheOldestInLocalTimeAreReadBackwards) {
   EXPECT_EQ(report_.find("dropped, out"), std::string::npos) << report_;
 }
 
+TEST_F(RawFixes, MayHaveTimesAsFloatsAndEndingsInCapitals) {
+  std::string floats;
+  for (const Row& row : day_of_a_cab()) {
+    floats += std::to_string(row.lat) + " " + std::to_string(row.lon) + " " + std::to_string(row.occupied) + ".0 " +
+              std::to_string(row.time) + ".0\n";
+  }
+  std::filesystem::remove(folder_.path() / "gps/cab_7.txt");
+  folder_.write("gps/cab_7.txt.GZ", packed(floats, "gzip"));
+  expect_clean(ingest(), "vehicles: 1");
+}
+
 TEST_F(RawFixes, OfSeveralCabsMayBeMixed) {
   write_format("", "vehicle: 1, lat: 2, lon: 3, occupied: 4, time: 5", "unix");
   Rows other = changed(200, 1, [](Row& row) { row.lat = row.lon = 0.0; });
@@ -219,6 +234,18 @@ TEST_F(RawFixes, OfSeveralCabsMayBeMixed) {
     EXPECT_EQ(lines(trips), 49U);
     EXPECT_EQ(trips.substr(0, clean_.size()), clean_);
   }
+}
+
+TEST_F(RawFixes, OfThousandsOfCabsMayBeMixed) {
+  write_format("", "vehicle: 1, lat: 2, lon: 3, occupied: 4, time: 5", "unix");
+  std::string mixed;
+  for (int minute = 0; minute < 70; ++minute) {
+    for (int cab = 0; cab < 4200; ++cab) {
+      mixed += text({day_of_a_cab_at(minute)}, std::to_string(cab) + " ");
+    }
+  }
+  folder_.write("gps/cab_7.txt", mixed);
+  EXPECT_EQ(lines(ingest()), 1U + 2 * 4200);
 }
 
 TEST_F(RawFixes, GivenTwiceCountOnce) {

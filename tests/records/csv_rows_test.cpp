@@ -61,6 +61,9 @@ TEST(CsvRows, TakeFilesOfAnyProgram) {
   EXPECT_EQ(rows_of("a,b\r1,2\r"), expected) << "old Macintosh";
   EXPECT_EQ(rows_of("\xEF\xBB\xBF\"a\",b\r\n1,2"), expected) << "Excel";
   EXPECT_EQ(rows_of("a"), (Table{{"a"}})) << "one line without end";
+  EXPECT_EQ(rows_of("a,b\r\n1,2\r"), expected) << "broken off between CR and LF";
+  const std::string wide(100'000, 'x');
+  EXPECT_EQ(rows_of(wide + ",b\r1,2\r"), (Table{{wide, "b"}, {"1", "2"}})) << "a first line that is long";
   EXPECT_EQ(rows_of("\xEF\xBB\xBF"), Table{});
   EXPECT_EQ(rows_of(""), Table{});
   EXPECT_THROW(rows_of(std::string("\xFF\xFE"
@@ -73,6 +76,12 @@ TEST(CsvRows, TakeFilesOfAnyProgram) {
 TEST(CsvRows, TakeFieldsOfAnyLength) {
   const std::string wide(200'000, 'x');
   EXPECT_EQ(rows_of("a,b\n1,\"" + wide + "\"\n" + wide + ",2\n"), (Table{{"a", "b"}, {"1", wide}, {wide, "2"}}));
+}
+
+TEST(CsvRows, LookForTheOtherQuoteWithinAMebibyte) {
+  const std::string lines(1 << 19, '\n');
+  EXPECT_EQ(rows_of("a\n\"1" + lines + "2\"\n"), (Table{{"a"}, {"1" + lines + "2"}}));
+  EXPECT_EQ(rows_of("a\n\"1" + lines + lines + lines + "2\"\n3\n"), (Table{{"a"}, {"stray", "2"}, {"2\""}, {"3"}}));
 }
 
 RC_GTEST_PROP(CsvRows, ReadBackWhatIsWritten, ()) {

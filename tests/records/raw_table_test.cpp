@@ -64,6 +64,17 @@ TEST(RawTable, SaysWhereTheHeaderIs) {
             std::string::npos);
 }
 
+TEST(RawTable, RefusesAHeaderWithAStrayQuote) {
+  const std::string said = refusal("first: a\nsecond: b\n", "a,\"b\n1,2\n3,4\n");
+  EXPECT_NE(said.find("table.csv:1: has no column `a`; it has `a,\"b`; its quotes do not pair"), std::string::npos)
+      << said;
+}
+
+TEST(RawTable, ShowsAHeaderOfAnyBytes) {
+  const std::string said = refusal("first: alpha\nsecond: b\n", std::string("\0alpha,b\n1,2\n", 13));
+  EXPECT_NE(said.find("table.csv:1: has no column `alpha`; it has `?alpha, b`"), std::string::npos) << said;
+}
+
 TEST(RawTable, RefusesAColumnThatIsNamedTwice) {
   EXPECT_NE(refusal("first: a\nsecond: b\n", "a,b,a\n1,2,3\n").find("names the column `a` twice"), std::string::npos);
   EXPECT_EQ(rows("first: a\nsecond: b\n", "a,b,c,c\n1,2,3,4\n"), Rows{"1|2"}) << "others may be";
@@ -95,6 +106,9 @@ TEST(RawTable, ReadsNumbersAsTheFormatSays) {
   EXPECT_EQ(numbers("decimal: point", "3.0"), "3.000000 3");
   EXPECT_EQ(numbers("decimal: point", "9007199254740993"), "9007199254740992.000000 9007199254740993");
   EXPECT_EQ(numbers("decimal: point", "nan"), "- -");
+  EXPECT_EQ(numbers("decimal: point", "-1.5e-03"), "-0.001500 -");
+  EXPECT_EQ(numbers("decimal: comma", "1,2E+3"), "1200.000000 1200");
+  EXPECT_EQ(numbers("decimal: point", "1e999"), "- -");
 }
 
 }  // namespace

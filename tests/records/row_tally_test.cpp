@@ -58,6 +58,8 @@ TEST(RowTally, RefusesATableOfWhichNoRowCanBeRead) {
             "t.csv:2: `n` is no number: `x`; none of 2 rows can be read: is the description of this table?\n"
             "  dropped, `n` is no number: 2 (first: t.csv:2: `x`)");
   EXPECT_NE(tally("n\n" + repeated("x\n", 100) + repeated("1\n", 100)).find("none of 100 rows"), std::string::npos);
+  EXPECT_EQ(tally("n,m\n" + repeated(",1\n", 200) + "1,1\n"), "  dropped, `n` is no number: 200 (first: t.csv:2: ``)\n")
+      << "sorted tables begin with what is blank";
   EXPECT_EQ(tally("n\n1\n" + repeated("x\n", 200)), "  dropped, `n` is no number: 200 (first: t.csv:3: `x`)\n");
 }
 

@@ -66,6 +66,33 @@ TEST(LineReader, RefusesWhatHasNoLines) {
   EXPECT_THROW(lines.next(line), Error);
 }
 
+/// What is said of a file that is refused.
+std::string refusal_of(const std::string& text, std::size_t longest = 1000) {
+  const Folder folder;
+  try {
+    unpacked_text(folder.write("a.csv", text), longest);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "was accepted";
+}
+
+TEST(LineReader, RefusesWhatIsNoTextWithWhatToDo) {
+  EXPECT_NE(refusal_of(std::string("\xFF\xFE{\0", 4)).find("a.csv: is UTF-16; save it as UTF-8"), std::string::npos);
+  EXPECT_NE(refusal_of("PK\x03\x04zones.geojson").find("a.csv: is a zip archive"), std::string::npos);
+}
+
+TEST(LineReader, TakesNoMoreThanItsBound) {
+  EXPECT_NE(refusal_of("1234\n5678\n", 9).find("a.csv:2: the text up to here is longer than 9 bytes"),
+            std::string::npos);
+  EXPECT_EQ(refusal_of("1234\n5678\n", 10), "was accepted");
+}
+
+TEST(LineReader, LeavesOutAByteOrderMark) {
+  const Folder folder;
+  EXPECT_EQ(unpacked_text(folder.write("a.csv.gz", packed("\xEF\xBB\xBF{}", "gzip"))), "{}\n");
+}
+
 TEST(TextFiles, AreThoseOfAnyCaseAndCompression) {
   const Folder folder;
   for (const std::string name :
@@ -78,6 +105,8 @@ TEST(TextFiles, AreThoseOfAnyCaseAndCompression) {
   }
   EXPECT_EQ(names, "a.csv b.CSV c.csv.gz d.txt.XZ e.csv.bz2 f.Csv.zst ");
   EXPECT_EQ(csv_files(folder.path()).size(), 5U);
+  EXPECT_EQ(without_packing("cab_7.txt.GZ"), "cab_7.txt");
+  EXPECT_EQ(without_packing("cab_7.txt"), "cab_7.txt");
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 #include "tools/gps/fix_rows.hpp"
 
-#include "agents/world/pack_table.hpp"
+#include "tools/records/raw_numbers.hpp"
 #include "tools/records/record_place.hpp"
+#include "tools/records/text_lines.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -19,13 +20,15 @@ const char* unreadable_time(std::string_view text, TimeForm form) {
   if (form != TimeForm::unix_seconds) {
     return "no time like 2008-05-18 07:31:05";
   }
-  return parse_integer(text).value_or(0) > 0 ? "no unix time in seconds; milliseconds?" : "no unix time in seconds";
+  return raw_integer(text).value_or(0) > 0 ? "no unix time in seconds; milliseconds?" : "no unix time in seconds";
 }
 
 }  // namespace
 
 FixRows::FixRows(const GpsFormat& format)
     : format_(format),
+      occupied_number_(raw_integer(format.occupied_word)),
+      free_number_(raw_integer(format.free_word)),
       no_flag_("neither `" + format.occupied_word + "` (occupied) nor `" + format.free_word + "` (free)") {}
 
 RowFault FixRows::read(const RawTable& row, Fix& fix) const {
@@ -39,7 +42,11 @@ RowFault FixRows::read(const RawTable& row, Fix& fix) const {
     return fault;
   }
   const std::string_view flag = row.text(format_.occupied);
-  if (flag != format_.occupied_word && flag != format_.free_word) {
+  const auto is = [&](const std::string& word, std::optional<long long> number) {
+    return flag == word || (number && raw_integer(flag) == number);
+  };
+  fix.occupied = is(format_.occupied_word, occupied_number_);
+  if (!fix.occupied && !is(format_.free_word, free_number_)) {
     return {no_flag_, flag};
   }
   const std::string_view time = row.text(format_.time);
@@ -48,7 +55,6 @@ RowFault FixRows::read(const RawTable& row, Fix& fix) const {
       TimeReading::done) {
     return {unreadable_time(time, form), time};
   }
-  fix.occupied = flag == format_.occupied_word;
   if (fix.place.lat == 0.0 && fix.place.lon == 0.0) {
     return {"at 0,0, which receivers write that know no place", time, false};
   }
@@ -56,13 +62,7 @@ RowFault FixRows::read(const RawTable& row, Fix& fix) const {
 }
 
 std::string vehicle_of(const std::filesystem::path& file, const GpsFormat& format) {
-  std::string name = file.filename().string();
-  for (const std::string packed : {".gz", ".xz", ".bz2", ".zst"}) {
-    if (name.ends_with(packed)) {
-      name.resize(name.size() - packed.size());
-      break;
-    }
-  }
+  const std::string name = without_packing(file.filename()).string();
   const std::size_t around = format.file_prefix.size() + format.file_suffix.size();
   if (name.size() <= around || !name.starts_with(format.file_prefix) || !name.ends_with(format.file_suffix)) {
     throw bad_input(

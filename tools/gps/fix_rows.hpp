@@ -3,6 +3,7 @@
 #include "tools/gps/fixes.hpp"
 #include "tools/records/raw_table.hpp"
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -19,6 +20,8 @@ class FixRows {
 
  private:
   const GpsFormat& format_;
+  std::optional<long long> occupied_number_;  ///< that the word is, if it is one
+  std::optional<long long> free_number_;
   std::string no_flag_;
 };
 

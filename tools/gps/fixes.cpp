@@ -13,10 +13,10 @@
 namespace evbal {
 namespace {
 
-constexpr long long kTellEvery = 100'000;      // rows
-constexpr long long kFewDisordered = 100;      // rows out of order that any table may have
-constexpr std::size_t kMostWaiting = 250'000;  // rows that are looked at together
-constexpr std::size_t kLookAhead = 60;         // rows of a vehicle that wait for those after them
+constexpr long long kTellEvery = 100'000;     // rows
+constexpr long long kFewDisordered = 100;     // rows out of order that any table may have
+constexpr std::size_t kFewWaiting = 250'000;  // rows that are looked at together, at least
+constexpr std::size_t kLookAhead = 60;        // rows of a vehicle that wait for those after them
 constexpr std::string_view kDisordered = "out of the order of time";
 constexpr std::string_view kNoDrive = "where or when no car can have driven";
 
@@ -62,8 +62,9 @@ class Sorter {
     }
     rows.fixes.push_back(fix);
     rows.lines.push_back(line);
-    if (++waiting_ > kMostWaiting) {
+    if (++waiting_ > most_waiting_) {
       hand_over(kLookAhead);
+      most_waiting_ = std::max(kFewWaiting, 2 * waiting_);  // of many vehicles many rows wait on
     }
   }
 
@@ -173,6 +174,7 @@ class Sorter {
   decltype(vehicles_)::iterator at_ = vehicles_.end();
   std::string file_;
   std::size_t waiting_ = 0;
+  std::size_t most_waiting_ = kFewWaiting;
   long long steps_ = 0;  ///< ahead in time, less those back, from a vehicle's row to its next
   bool backwards_ = false;
   long long disordered_before_ = 0;

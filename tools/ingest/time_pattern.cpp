@@ -1,14 +1,12 @@
 #include "tools/ingest/time_pattern.hpp"
 
-#include "agents/world/pack_table.hpp"
+#include "tools/records/record_time.hpp"
 
 #include <algorithm>
 #include <chrono>
 
 namespace evbal {
 namespace {
-
-constexpr long long kLastSecond = 253'402'300'799;  // year 9999
 
 /// The parts of a time, by the letters of their patterns.
 struct TimeParts {
@@ -55,8 +53,7 @@ std::optional<int> take_number(std::string_view& text, std::size_t most) {
 
 std::optional<long long> time_like(std::string_view pattern, std::string_view text) {
   if (pattern.empty()) {
-    const auto seconds = parse_integer(text);
-    return seconds && *seconds >= 0 && *seconds <= kLastSecond ? seconds : std::nullopt;
+    return parse_unix_seconds(text);
   }
   TimeParts parts;
   for (std::size_t at = 0; at < pattern.size(); ++at) {

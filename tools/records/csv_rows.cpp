@@ -5,7 +5,8 @@
 namespace evbal {
 namespace {
 
-constexpr std::size_t kLongestRow = 1 << 24;  // bytes; beyond this it is no table
+constexpr std::size_t kLongestLine = 1 << 24;       // bytes; beyond this it is no table
+constexpr std::size_t kLongestOverLines = 1 << 20;  // bytes of a row from its second line on
 constexpr std::string_view kBlanks = " \t";
 
 std::string_view trimmed(std::string_view text) {
@@ -100,19 +101,7 @@ void QuotedRow::fields(std::vector<std::string_view>& into) const {
 }
 
 CsvRows::CsvRows(const std::filesystem::path& file, char separator)
-    : lines_(file, kLongestRow), separator_(separator), quoted_(separator) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (!lines_.next(row_)) {
-    return;
-  }
-  if (row_.starts_with("\xFF\xFE") || row_.starts_with("\xFE\xFF")) {
-    throw lines_.error("is UTF-16; save it as UTF-8");
-  }
-  if (row_.starts_with(kByteOrderMark)) {
-    row_.erase(0, kByteOrderMark.size());
-  }
-  ahead_.push_back(std::move(row_));
-}
+    : lines_(file, kLongestLine), separator_(separator), quoted_(separator) {}
 
 bool CsvRows::take_line() {
   ++lines_taken_;
@@ -164,10 +153,10 @@ void CsvRows::split_plain() {
 
 void CsvRows::split_quoted() {
   std::size_t more = 0;  // lines of ahead_ that belong to the row
-  std::size_t bytes = row_.size();
+  std::size_t bytes = 0;
   auto state = quoted_.begin(row_);
   std::string line;
-  while (state == QuotedRow::State::open && bytes <= kLongestRow) {
+  while (state == QuotedRow::State::open && bytes <= kLongestOverLines) {
     if (more == ahead_.size()) {
       if (!lines_.next(line)) {
         break;

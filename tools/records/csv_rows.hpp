@@ -43,11 +43,10 @@ class QuotedRow {
 };
 
 /// The rows of a table as other people's programs write them (RFC 4180): fields of any length, in quotes or not, line
-/// breaks within quotes. Takes UTF-8 with or without a byte order mark, plain or compressed.
+/// breaks within quotes. Plain or compressed.
 class CsvRows {
  public:
-  /// Fields are parted by `separator`; a blank stands for any number of blanks and tabs. Throws as LineReader does,
-  /// and if the file is UTF-16.
+  /// Fields are parted by `separator`; a blank stands for any number of blanks and tabs. Throws as LineReader does.
   CsvRows(const std::filesystem::path& file, char separator);
 
   /// Skips a line, whatever is in it; false at the end of the file.
@@ -59,9 +58,9 @@ class CsvRows {
   /// The fields of the row, without quotes and without blanks around them; valid until the next call.
   const std::vector<std::string_view>& fields() const { return fields_; }
 
-  /// True if a quote of the row is not closed, or closed within a field, or if the row goes over several lines and has
-  /// not as many fields as the first one. The row is then its first line alone, so that no other row is lost with it,
-  /// and fields() means nothing.
+  /// True if a quote of the row is not closed within a MiB from the second line on, or closed within a field, or if the
+  /// row goes over several lines and has not as many fields as the first one. The row is then its first line alone, so
+  /// that no other row is lost with it, and fields() means nothing.
   bool stray_quote() const { return stray_; }
 
   /// The row's first line as it stands in the file.

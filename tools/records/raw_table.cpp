@@ -1,15 +1,24 @@
 #include "tools/records/raw_table.hpp"
 
 #include "agents/world/pack_table.hpp"
+#include "common/plain_text.hpp"
+#include "common/suggestion.hpp"
 #include "tools/records/dropped.hpp"
+#include "tools/records/raw_numbers.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace evbal {
 namespace {
 
 constexpr int kLongestPreamble = 50;  // lines looked through for the header
+
+/// A number that is written with a decimal comma as with a point; empty if it has a point, which groups thousands.
+std::string with_point(std::string_view number) {
+  std::string text(number.find('.') == std::string_view::npos ? number : std::string_view());
+  std::replace(text.begin(), text.end(), ',', '.');
+  return text;
+}
 
 }  // namespace
 
@@ -59,12 +68,15 @@ void RawTable::find_columns() {
   if (!rows_.next()) {
     throw error("is empty; the first line must name the columns");
   }
+  if (rows_.stray_quote()) {
+    throw header_error(format_.columns.front(), {rows_.text()});
+  }
   places_ = places_in_row();
   named_ = rows_.fields().size();
   for (std::size_t c = 0; c < places_.size(); ++c) {
     const std::string& column = format_.columns[c];
     if (places_[c] == named_) {
-      throw header_error(column);
+      throw header_error(column, {rows_.fields().begin(), rows_.fields().end()});
     }
     if (std::count(rows_.fields().begin(), rows_.fields().end(), column) > 1) {
       throw error("names the column `" + column + "` twice; which one is meant? Rename the other");
@@ -83,19 +95,25 @@ std::vector<std::size_t> RawTable::places_in_row() const {
   return places;
 }
 
-Error RawTable::header_error(const std::string& column) {
-  const std::vector<std::string> names(rows_.fields().begin(), rows_.fields().end());
+Error RawTable::header_error(const std::string& column, const std::vector<std::string>& names) {
   std::string all;
+  std::vector<std::string> plain;  // names that a message may show
   for (const auto& name : names) {
     all += (all.empty() ? "" : ", ") + name;
+    if (validate_line(name).empty()) {
+      plain.push_back(name);
+    }
   }
   const bool one = names.size() == 1 && all.find_first_of(",;\t") != std::string::npos;
-  const Error at_header =
-      error("has no column `" + column + "`" + did_you_mean(column, names) + "; it has " + shown(all) +
-            (one ? "; what is its `separator`?" : "; is the description of this table?"));
+  const char* why = rows_.stray_quote() ? "; its quotes do not pair"
+                    : one               ? "; what is its `separator`?"
+                                        : "; is the description of this table?";
+  Error at_header =
+      error("has no column `" + column + "`" + did_you_mean(column, plain) + "; it has " + shown(all) + why);
   for (int row = 0; row < kLongestPreamble && rows_.next(); ++row) {
     const auto places = places_in_row();
-    if (std::none_of(places.begin(), places.end(), [&](std::size_t p) { return p == rows_.fields().size(); })) {
+    if (!rows_.stray_quote() &&
+        std::none_of(places.begin(), places.end(), [&](std::size_t p) { return p == rows_.fields().size(); })) {
       return bad_input(at_header.what() + std::string(" The columns are named in line ") +
                        std::to_string(rows_.line()) + ": give `skip_rows`, the number of lines before that one");
     }
@@ -134,27 +152,11 @@ RowFault RawTable::structural_fault() const {
 }
 
 std::optional<double> RawTable::number(std::size_t column) const {
-  if (!format_.decimal_comma) {
-    return parse_number(text(column));
-  }
-  std::string digits(text(column));
-  if (digits.find('.') != std::string::npos) {
-    return std::nullopt;
-  }
-  std::replace(digits.begin(), digits.end(), ',', '.');
-  return parse_number(digits);
+  return format_.decimal_comma ? raw_number(with_point(text(column))) : raw_number(text(column));
 }
 
 std::optional<long long> RawTable::integer(std::size_t column) const {
-  constexpr double kLargest = 9e15;  // up to which doubles tell whole numbers apart
-  if (const auto whole = parse_integer(text(column))) {
-    return whole;
-  }
-  const auto value = number(column);
-  if (!value || std::abs(*value) > kLargest || *value != std::floor(*value)) {
-    return std::nullopt;
-  }
-  return static_cast<long long>(*value);
+  return format_.decimal_comma ? raw_integer(with_point(text(column))) : raw_integer(text(column));
 }
 
 }  // namespace evbal

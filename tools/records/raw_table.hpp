@@ -80,7 +80,7 @@ class RawTable {
  private:
   void find_columns();
   std::vector<std::size_t> places_in_row() const;
-  Error header_error(const std::string& column);
+  Error header_error(const std::string& column, const std::vector<std::string>& names);
   RowFault structural_fault() const;
 
   CsvRows rows_;

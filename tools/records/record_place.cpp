@@ -1,5 +1,7 @@
 #include "tools/records/record_place.hpp"
 
+#include "common/decimal.hpp"
+
 #include <cmath>
 
 namespace evbal {
@@ -16,6 +18,11 @@ RowFault read_place(const RawTable& row, std::size_t lat_column, std::size_t lon
   }
   place = {*lat, *lon};
   return {};
+}
+
+std::string place_text(LatLon place) {
+  constexpr double kParts = 1e5;
+  return decimal(std::round(place.lat * kParts) / kParts) + ", " + decimal(std::round(place.lon * kParts) / kParts);
 }
 
 }  // namespace evbal

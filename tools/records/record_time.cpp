@@ -1,6 +1,6 @@
 #include "tools/records/record_time.hpp"
 
-#include "agents/world/pack_table.hpp"
+#include "tools/records/raw_numbers.hpp"
 
 namespace evbal {
 namespace {
@@ -18,10 +18,15 @@ std::string_view example_of(TimeForm form) {
                                         : "time written as 2008-05-18 07:31:05";
 }
 
+std::optional<long long> parse_unix_seconds(std::string_view text) {
+  const auto seconds = raw_integer(text);
+  return seconds && *seconds >= 0 && *seconds <= kLastSecond ? seconds : std::nullopt;
+}
+
 TimeReading read_record_time(std::string_view text, TimeForm form, const LocalClock& clock, long long after,
                              long long& time) {
-  const auto shown = form == TimeForm::unix_seconds ? parse_integer(text) : parse_time(text);
-  if (!shown || *shown < 0 || *shown > kLastSecond) {
+  const auto shown = form == TimeForm::unix_seconds ? parse_unix_seconds(text) : parse_time(text);
+  if (!shown || *shown < 0) {
     return TimeReading::unreadable;
   }
   if (form != TimeForm::local) {

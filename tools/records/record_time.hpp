@@ -2,6 +2,7 @@
 
 #include "tools/records/local_clock.hpp"
 
+#include <optional>
 #include <string_view>
 
 namespace evbal {
@@ -21,6 +22,9 @@ std::string_view example_of(TimeForm form);
 
 /// The reason under which rows are counted that tell a local time which clocks never showed.
 inline constexpr const char* skipped_time = "at a local time that the clocks skipped";
+
+/// Whole seconds since 1970 up to the year 9999, which some programs write 1211137200.0; nothing if the text is none.
+std::optional<long long> parse_unix_seconds(std::string_view text);
 
 /// How the reading of a time ended.
 enum class TimeReading {

@@ -8,13 +8,13 @@ constexpr long long kRowsToJudge = 100;
 }  // namespace
 
 bool RowTally::keeps(const RowFault& fault) {
-  ++rows_;
-  if (!fault) {
-    return true;
+  if (fault) {
+    dropped_.add(fault.reason, table_.file(), table_.line(), fault.value);
   }
-  dropped_.add(fault.reason, table_.file(), table_.line(), fault.value);
-  if (!fault.unreadable) {
-    return false;
+  const bool lacks_value = fault && fault.unreadable && fault.value.empty();
+  rows_ += lacks_value ? 0 : 1;
+  if (!fault || !fault.unreadable || lacks_value) {
+    return !fault;
   }
   if (unreadable_ == 0) {
     first_ = table_.error(std::string(fault.reason) + ": " + shown(fault.value)).what();

@@ -8,7 +8,7 @@
 namespace evbal {
 
 /// Counts the rows of one table, and refuses the table if the description does not fit it: none of its rows can be
-/// read, or none of the first hundred.
+/// read, or none of the first hundred. Rows that lack a value speak neither for nor against it.
 class RowTally {
  public:
   /// Both must outlive this. What is dropped is added to `dropped`.

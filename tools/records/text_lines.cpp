@@ -6,9 +6,22 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <optional>
 #include <string_view>
 
 namespace evbal {
+namespace {
+
+/// What ends the lines of a text; nothing if that does not show yet.
+std::optional<char> line_end_in(std::string_view text) {
+  if (text.find('\n') != std::string_view::npos) {
+    return '\n';
+  }
+  // As on old Macintoshes; but at the end of `text` it may be half of CR LF.
+  return text.substr(0, text.size() - 1).find('\r') != std::string_view::npos ? std::optional('\r') : std::nullopt;
+}
+
+}  // namespace
 
 struct LineReader::Stream {
   struct Free {
@@ -19,7 +32,7 @@ struct LineReader::Stream {
   std::size_t size = 0;
   std::size_t at = 0;
   bool empty = false;
-  char line_end = '\0';  ///< known from the first buffer on
+  std::optional<char> line_end;  ///< once the text shows it
 
   std::string complaint() const {
     const char* text = archive_error_string(opened.get());
@@ -37,16 +50,24 @@ struct LineReader::Stream {
     }
     size = static_cast<std::size_t>(bytes);
     at = 0;
-    if (line_end == '\0' && size > 0) {
-      line_end = ends_lines_in_cr() ? '\r' : '\n';
+    if (!line_end && size > 0) {
+      line_end = line_end_in({buffer.data(), size});
     }
     return bytes > 0;
   }
 
-  /// Whether lines end in a carriage return alone, as on old Macintoshes.
-  bool ends_lines_in_cr() const {
+  /// Begins to read.
+  void begin(const LineReader& reader) {
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    refill(reader);
     const std::string_view text(buffer.data(), size);
-    return text.find('\n') == std::string_view::npos && text.find('\r') < size - 1;
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
+      throw reader.error("is UTF-16; save it as UTF-8");
+    }
+    if (text.starts_with("PK\x03\x04")) {
+      throw reader.error("is a zip archive, as spreadsheets are; unpack it, or save its table as CSV");
+    }
+    at = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
   }
 };
 
@@ -69,9 +90,21 @@ LineReader::LineReader(const std::filesystem::path& file, std::size_t longest)
   if (!stream_->empty && header != ARCHIVE_OK) {
     throw error("cannot be read: " + stream_->complaint());
   }
+  stream_->begin(*this);
 }
 
 LineReader::~LineReader() = default;
+
+namespace {
+
+/// Takes off a carriage return where lines end in CR LF, or where the file breaks off between the two.
+void drop_half_end(std::string& line) {
+  if (line.ends_with('\r')) {
+    line.pop_back();
+  }
+}
+
+}  // namespace
 
 bool LineReader::next(std::string& line) {
   line.clear();
@@ -80,20 +113,19 @@ bool LineReader::next(std::string& line) {
   while (in.at < in.size || in.refill(*this)) {
     const char* begin = in.buffer.data() + in.at;
     const char* end = in.buffer.data() + in.size;
-    const char* newline = std::find(begin, end, in.line_end);
+    const char* newline = in.line_end ? std::find(begin, end, *in.line_end) : end;
     line.append(begin, newline);
     if (line.size() > longest_) {
-      throw error("is longer than " + std::to_string(longest_) + " bytes; this is no table");
+      throw error("is longer than " + std::to_string(longest_) + " bytes; is this text?");
     }
     in.at = static_cast<std::size_t>(newline - in.buffer.data());
     if (newline != end) {
       ++in.at;
-      if (in.line_end == '\n' && line.ends_with('\r')) {
-        line.pop_back();
-      }
+      drop_half_end(line);
       return true;
     }
   }
+  drop_half_end(line);
   return !line.empty();
 }
 
@@ -101,30 +133,26 @@ Error LineReader::error(const std::string& message) const {
   return bad_input(file_, line_, message);
 }
 
-std::string unpacked_text(const std::filesystem::path& file) {
-  LineReader lines(file);
+std::string unpacked_text(const std::filesystem::path& file, std::size_t longest) {
+  LineReader lines(file, longest);
   std::string text;
   std::string line;
   while (lines.next(line)) {
     text += line + "\n";
+    if (text.size() > longest) {
+      throw lines.error("the text up to here is longer than " + std::to_string(longest) + " bytes");
+    }
   }
   return text;
 }
 
 namespace {
 
-/// The ending of a file's name in small letters, without that of a compression.
-std::string unpacked_ending(std::filesystem::path file) {
-  const auto ending = [&] {
-    std::string text = file.extension().string();
-    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-    return text;
-  };
-  const std::string last = ending();
-  if (last == ".gz" || last == ".xz" || last == ".bz2" || last == ".zst") {
-    file.replace_extension();
-  }
-  return ending();
+/// The ending of a file's name in small letters.
+std::string small_ending(const std::filesystem::path& file) {
+  std::string text = file.extension().string();
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
 }
 
 /// The files of a folder with one of these endings, plain or compressed, by name.
@@ -135,7 +163,7 @@ std::vector<std::filesystem::path> files_of(const std::filesystem::path& folder,
   }
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::string kind = unpacked_ending(entry.path());
+    const std::string kind = small_ending(without_packing(entry.path()));
     if (std::find(kinds.begin(), kinds.end(), kind) != kinds.end()) {
       files.push_back(entry.path());
     }
@@ -149,6 +177,14 @@ std::vector<std::filesystem::path> files_of(const std::filesystem::path& folder,
 }
 
 }  // namespace
+
+std::filesystem::path without_packing(std::filesystem::path file) {
+  const std::string last = small_ending(file);
+  if (last == ".gz" || last == ".xz" || last == ".bz2" || last == ".zst") {
+    file.replace_extension();
+  }
+  return file;
+}
 
 std::vector<std::filesystem::path> csv_files(const std::filesystem::path& folder) {
   return files_of(folder, {".csv"});

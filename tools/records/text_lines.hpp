@@ -11,8 +11,8 @@
 namespace evbal {
 
 /// The lines of a text file, plain or compressed (.gz, .xz, .bz2, .zst), read as a stream: memory does not grow with
-/// the file. Lines end in LF, CR LF, or CR alone. Throws Error{bad_input} with file and line if the file is missing,
-/// cannot be unpacked, or truncated.
+/// the file. UTF-8 with or without a byte order mark; lines end in LF, CR LF, or CR alone. Throws Error{bad_input} with
+/// file and line if the file is missing, cannot be unpacked, is truncated, UTF-16 or a zip archive.
 class LineReader {
  public:
   /// A file with a line of more than `longest` bytes is refused, since it is hardly text.
@@ -41,8 +41,12 @@ class LineReader {
   int line_ = 0;
 };
 
-/// A whole file, plain or compressed.
-std::string unpacked_text(const std::filesystem::path& file);
+/// A whole file, plain or compressed, with LF at the end of each line. Throws as LineReader does, and if the text has
+/// more than `longest` bytes: a small file may unpack to any size.
+std::string unpacked_text(const std::filesystem::path& file, std::size_t longest = 1 << 28);
+
+/// The file's name without the ending of a compression (.gz, .xz, .bz2, .zst, in any case).
+std::filesystem::path without_packing(std::filesystem::path file);
 
 /// The files of a folder that end in .csv, in any case, plain or compressed, by name. Throws Error{bad_input} if there
 /// are none.
