@@ -141,6 +141,32 @@ TEST_F(IngestGps, CountsWhatItDropsByReason) {
   }
 }
 
+TEST_F(IngestGps, CountsWhatLiesOutsideTheRegions) {
+  std::string rows;
+  // An hour in the west, half an hour north, then a ride there; no car is there within two minutes.
+  for (int minute = 0; minute < 120; ++minute) {
+    const bool north = minute >= 60;
+    rows += row(kNoon + 60 * minute, north ? 37.8 : 37.72, -122.47, minute >= 90 && minute < 119);
+  }
+  folder_.write("gps/cab_7.txt", rows);
+  const std::string report = ingest();
+  EXPECT_NE(report.find("dropped, a vehicle or the end of its ride outside the regions: 5 (first: vehicle `7` at "
+                        "1211141400: `37.8, -122.47`)"),
+            std::string::npos)
+      << report;
+}
+
+TEST_F(IngestGps, RefusesRegionsOfAnotherPlace) {
+  std::string rows;
+  for (int minute = 0; minute < 120; ++minute) {
+    rows += row(kNoon + 60 * minute, 40.7, -74.0, false);
+  }
+  folder_.write("gps/cab_7.txt", rows);
+  expect_refused("no vehicle is in a region for half an hour; a region lies at 37.72, -122.47");
+  expect_refused("rows: 120\n");
+  expect_refused("outside the regions: 12 (first: vehicle `7` at 1211137200: `40.7, -74`)");
+}
+
 TEST_F(IngestGps, RefusesWhatIsNoSuchTable) {
   expect_refused("gps: is no folder");
   const std::string whole = packed(day_of_a_cab(), "gzip");

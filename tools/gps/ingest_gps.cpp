@@ -7,7 +7,9 @@
 #include "common/table_text.hpp"
 #include "tools/fit/transition_table.hpp"
 #include "tools/gps/track.hpp"
+#include "tools/records/record_place.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <sstream>
@@ -68,6 +70,7 @@ class Tables {
     for (auto& [vehicle, track] : tracks_) {
       end(vehicle, track);
     }
+    expect_transitions();
     trips_.keep();
     vacant_.keep();
     if (charging_) {
@@ -91,10 +94,22 @@ class Tables {
     if (charging_) {
       out << "charging stops: " << charging_->rows() << "\n";
     }
-    return out.str() + transitions_;
+    return out.str() + transitions_ + outside_.report();
   }
 
  private:
+  /// Throws if no transition was seen, since no vehicle was in the regions.
+  void expect_transitions() const {
+    const auto& periods = counter_.periods();
+    const bool seen = std::any_of(periods.begin(), periods.end(), [](const TransitionCounts& counts) {
+      return counts.vacant.sum() + counts.occupied.sum() > 0.0;
+    });
+    if (!seen && outside_.rows() > 0) {
+      throw bad_input("no vehicle is in a region for half an hour; a region lies at " +
+                      place_text(map_.regions.front().centroid));
+    }
+  }
+
   void end(const std::string& vehicle, Track& track) {
     write(vehicle, track.finish(counter_));
     cut_off_ += track.cut_off();
@@ -112,6 +127,10 @@ class Tables {
                    decimal(std::round(move->km * 1000.0) / 1000.0), ends[static_cast<std::size_t>(move->end)]});
       vacant_km_ += move->km;
     }
+    for (const Outside& moment : events.outside) {
+      outside_.add("a vehicle or the end of its ride outside the regions",
+                   "vehicle " + shown(vehicle) + " at " + decimal(moment.time), place_text(moment.place));
+    }
     for (const ChargingStop& stop : events.stops) {
       const Station& station = map_.stations[stop.station];
       charging_->add({vehicle, station.name, map_.regions[station.region].name, decimal(stop.arrival),
@@ -128,6 +147,7 @@ class Tables {
   std::map<std::string, Track, std::less<>> tracks_;
   long long cut_off_ = 0;
   double vacant_km_ = 0.0;
+  Dropped outside_;          ///< moments that are in no transition
   std::string transitions_;  ///< its part of the report
 };
 
@@ -158,7 +178,11 @@ std::string ingest_gps(const GpsSources& sources, const std::filesystem::path& f
   const FixCount count = for_each_fix(
       sources.gps, format,
       [&](const std::string& vehicle, const Fix& fix, bool goes_on) { tables.add(vehicle, fix, goes_on); }, tell);
-  tables.finish();
+  try {
+    tables.finish();
+  } catch (const Error& error) {
+    throw with_report(error, tables.report(count));
+  }
   return tables.report(count);
 }
 

@@ -27,11 +27,11 @@ void StateLog::add_samples(const Fix& next) {
   int region = -1;
   for (long long time = (last_->time + kEvery - 1) / kEvery * kEvery; time < next.time; time += kEvery) {
     if (last_->occupied) {
-      samples_.push_back({time, last_->time, {CarState::occupied, -1}, false});
+      samples_.push_back({time, last_->time, {CarState::occupied, -1}, {}, false});
       continue;
     }
     region = region < 0 ? regions_.region_of(last_->place) : region;
-    samples_.push_back({time, last_->time, {CarState::vacant, region}, region >= 0});
+    samples_.push_back({time, last_->time, {CarState::vacant, region}, last_->place, true});
   }
 }
 
@@ -40,7 +40,8 @@ void StateLog::end_ride(const Fix& dropoff) {
   for (auto sample = samples_.rbegin(); sample != samples_.rend() && sample->time >= *ride_from_; ++sample) {
     if (sample->car.state == CarState::occupied) {
       sample->car.region = region;
-      sample->known = region >= 0;
+      sample->place = dropoff.place;
+      sample->known = true;
     }
   }
   ride_from_.reset();
@@ -67,19 +68,25 @@ void StateLog::add(const ChargingStop& stop, int region) {
   }
 }
 
-void StateLog::settle(long long until, TransitionCounter& counter) {
+std::vector<Outside> StateLog::settle(long long until, TransitionCounter& counter) {
+  const auto in_region = [](const Sample& sample) { return sample.known && sample.car.region >= 0; };
+  std::vector<Outside> outside;
   until = std::min(until, ride_from_.value_or(until));
   const auto later = [](const Sample& sample, long long time) { return sample.time < time; };
   const auto end = std::lower_bound(samples_.begin(), samples_.end(), until, later);
   for (auto sample = std::lower_bound(samples_.begin(), end, settled_, later); sample != end; ++sample) {
     const long long start = sample->time - kStep;
     const auto before = std::lower_bound(samples_.begin(), sample, start, later);
-    if (sample->known && before != sample && before->time == start && before->known) {
+    if (in_region(*sample) && before != sample && before->time == start && in_region(*before)) {
       counter.add(clock_.local(start), before->car, sample->car);
+    }
+    if (sample->known && sample->car.region < 0) {
+      outside.push_back({sample->time, sample->place});
     }
   }
   settled_ = std::max(settled_, until);
   samples_.erase(samples_.begin(), std::lower_bound(samples_.begin(), end, settled_ - kStep, later));
+  return outside;
 }
 
 }  // namespace evbal

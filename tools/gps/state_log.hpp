@@ -43,6 +43,12 @@ class TransitionCounter {
   std::vector<TransitionCounts> periods_;
 };
 
+/// A moment at which a vehicle, or the end of its ride, lies in no region.
+struct Outside {
+  long long time = 0;  ///< UTC seconds
+  LatLon place;        ///< of the vehicle, or of the end of its ride
+};
+
 /// The state of one vehicle every ten minutes: vacant where it is, occupied where its ride ends, waiting for a charger
 /// or plugged at its station. Left out: gaps of the records, rides that do not end, and places outside the regions.
 class StateLog {
@@ -57,14 +63,16 @@ class StateLog {
   /// A stop at a station in that region, given after the fixes it lasts for.
   void add(const ChargingStop& stop, int region);
 
-  /// Counts what happened up to `until`. No stop that began before then may be added later.
-  void settle(long long until, TransitionCounter& counter);
+  /// Counts what happened up to `until`, and returns the moments since the last call that were left out because they
+  /// are outside the regions. No stop that began before `until` may be added later.
+  std::vector<Outside> settle(long long until, TransitionCounter& counter);
 
  private:
   struct Sample {
     long long time = 0;
     long long fix = 0;  ///< time of the last fix before it
-    CarPlace car;
+    CarPlace car;       ///< region -1: outside all
+    LatLon place;       ///< of the vehicle, or of the end of its ride
     bool known = false;
   };
 

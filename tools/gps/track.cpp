@@ -50,7 +50,7 @@ TrackEvents Track::add(const Fix& fix, TransitionCounter& counter) {
   }
   if (log_) {
     const auto open = stops_ ? stops_->open_since() : std::nullopt;
-    log_->settle(open.value_or(fix.time), counter);
+    events.outside = log_->settle(open.value_or(fix.time), counter);
   }
   return events;
 }
@@ -63,7 +63,7 @@ TrackEvents Track::finish(TransitionCounter& counter) {
     note(events.stops);
   }
   if (log_) {
-    log_->settle(std::numeric_limits<long long>::max(), counter);
+    events.outside = log_->settle(std::numeric_limits<long long>::max(), counter);
   }
   return events;
 }

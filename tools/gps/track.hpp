@@ -27,6 +27,7 @@ struct TrackEvents {
   std::optional<Ride> ride;          ///< that has ended
   std::optional<VacantMove> vacant;  ///< that has ended
   std::vector<ChargingStop> stops;   ///< that have ended, in the order of time
+  std::vector<Outside> outside;      ///< moments that are in no transition for it, in the order of time
 };
 
 /// Follows one vehicle from fix to fix.
