@@ -124,6 +124,12 @@ void read_stations_table(std::string_view bytes) {
   read_stations(write("stations.yaml", stations_yaml(made.stations, regions())), regions());
 }
 
+void read_charge_map(std::string_view bytes) {
+  StationFormat format;
+  format.open_charge_map = true;
+  ingest_stations(write("poi.json", bytes), format, regions(), 500.0);
+}
+
 void read_transition_table(std::string_view bytes) {
   read_transitions(write("transitions.csv", bytes), regions());
 }
@@ -209,9 +215,9 @@ void read_pack_files(std::string_view bytes) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace evbal;
   static constexpr void (*readers[])(std::string_view){
-      read_gps,        read_local_gps,     read_shapefile,   read_geojson,       read_stations_table,
-      read_trip_table, read_session_table, read_pack_files,  read_trips_by_zone, read_transition_table,
-      read_projection, read_count_table,   read_sample_table};
+      read_gps,        read_local_gps,     read_shapefile,    read_geojson,       read_stations_table,
+      read_trip_table, read_session_table, read_pack_files,   read_trips_by_zone, read_transition_table,
+      read_projection, read_count_table,   read_sample_table, read_charge_map};
   if (size == 0) {
     return 0;
   }
