@@ -188,10 +188,22 @@ TEST_F(IngestCounts, CountsWhatItDropsByReason) {
        {"before the day's start: 1 (first: " + file + ":2: `2024-03-04 05:30`)",
         "on another day: 1 (first: " + file + ":3: `2024-03-06 09:00`)",
         "no time like `%Y-%m-%d %H:%M`: 1 (first: " + file + ":4: `03/04/2024 09:00`)",
-        "in a zone without polygon: 1 (first: " + file + ":5: `9`)",
+        "in a zone without polygon; one that has it is `0`: 1 (first: " + file + ":5: `9`)",
         "no number of trips, 0 to 1000000: 1 (first: " + file + ":6: `ten`)", std::string("trips: 396 on 2 days")}) {
     EXPECT_NE(made.report.find(line), std::string::npos) << line << " not in\n" << made.report;
   }
+}
+
+TEST_F(IngestCounts, MayBeginWithZonesOfAnotherPlace) {
+  std::string elsewhere;
+  for (int row = 0; row < 150; ++row) {
+    elsewhere += "2024-03-04,09:00,265,3,1\n";
+  }
+  folder_.write("counts/0.csv", header + elsewhere);
+  const IngestedCity made = ingest_counts(sources_);
+  EXPECT_NE(made.report.find("in a zone without polygon; one that has it is `0`: 150 (first: "), std::string::npos)
+      << made.report;
+  EXPECT_NE(made.report.find("trips: 396 on 2 days"), std::string::npos) << made.report;
 }
 
 TEST_F(IngestCounts, RefusesWhatCannotBeACity) {

@@ -122,7 +122,14 @@ TEST_F(IngestOd, SaysWhatItDropsAndTakesFloats) {
 
 TEST_F(IngestOd, RefusesWhatIsNoInput) {
   folder_.write("trips.csv", "r1,c1,r2,c2,n\n0,0,0,9,7\n");
-  EXPECT_THROW(ingest_od(sources_), Error);
+  try {
+    ingest_od(sources_);
+    FAIL() << "was accepted";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("has no trip between two zones; a zone lies at 22.505, "),
+              std::string::npos)
+        << error.what();
+  }
   folder_.write("trips.csv", "r1,c1,r2,c2,count\n0,0,0,1,7\n");
   EXPECT_THROW(ingest_od(sources_), Error);
 }

@@ -83,7 +83,9 @@ TEST_F(IngestStations, AreRefusedWithoutTheirColumns) {
     ingest("far,114.05,22.505,1\n");
     FAIL() << "was accepted";
   } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("has no station in a region\n  dropped, outside the regions: 1 (first: "),
+    EXPECT_NE(std::string(error.what())
+                  .find("has no station in a region; one lies at 22.505, 114.05, a region at 22.505, 114.005\n"
+                        "  dropped, outside the regions: 1 (first: "),
               std::string::npos)
         << error.what();
   }

@@ -82,6 +82,17 @@ TEST(RawPolygons, MayStandInACollection) {
   const ZoneFile file = read(collection(all));
   expect_the_town(file);
   expect_in_report(file, "geometry `Point`, which is no polygon: 1 (first: ");
+  const auto in_collection = [](const std::string& geometry) {
+    return R"({"type": "GeometryCollection", "geometries": [)" + geometry + "]}";
+  };
+  all[7] = feature(named("8"), in_collection(in_collection(polygon(square(7)))));
+  expect_the_town(read(collection(all)));
+  all.push_back(feature(named("17"), in_collection(point)));
+  all.push_back(feature(named("18"), in_collection("")));
+  const ZoneFile none = read(collection(all));
+  expect_in_report(none, "geometry `Point`, which is no polygon: 1 (first: ");
+  expect_in_report(none, "dropped, no geometry: 1 (first: ");
+  EXPECT_EQ(none.report.find("without coordinates"), std::string::npos) << none.report;
 }
 
 TEST(RawPolygons, MayHaveHeightsAndAByteOrderMark) {
@@ -245,17 +256,26 @@ TEST(RawPolygons, WhoseBorderCrossesItselfAreTold) {
   expect_in_report(read(collection(all)), "without area, since their border crosses itself: 1 (first: `6`)");
 }
 
+TEST(RawPolygons, AreRefusedWhereNestedTooDeep) {
+  const int levels = 1'000'000;
+  const std::string deep = std::string(levels, '[') + std::string(levels, ']');
+  expect_refused(collection({feature(named(deep), polygon(square(0)))}), "nested more than a hundred levels deep");
+  expect_refused(R"({"features": 1, "type": )" + deep + "}", "nested more than a hundred levels deep");
+}
+
 TEST(RawPolygons, AreRefusedWithWhatIsWrong) {
   const std::string whole = collection(features());
   expect_refused(whole.substr(0, 1500), ": is no GeoJSON: it breaks off; is the file truncated?");
-  expect_refused(
-      features()[0] + "\n" + features()[1] + "\n",
-      "zones.geojson:2: is no GeoJSON: something follows its end; put all features into one FeatureCollection");
+  expect_refused(features()[0] + "\n" + features()[1] + "\n",
+                 "zones.geojson:2: is no GeoJSON: something follows its end; put all into one FeatureCollection");
   expect_refused(features()[0], "is no GeoJSON FeatureCollection, but a `Feature`");
+  expect_refused(R"({"type": "FeatureCollection", "features": null})",
+                 "is no GeoJSON FeatureCollection, with a list of `features`");
   expect_refused(R"({"type": "Topology", "objects": {}})", "is no GeoJSON FeatureCollection, but a `Topology`");
   expect_refused("{\"type\": \"FeatureCollection\",\n \"features\": [}\n", "zones.geojson:2: is no GeoJSON: ");
   expect_refused(collection({features()[0], "7"}), "feature 1: is no GeoJSON Feature");
-  expect_refused(collection({features()[0], feature(named("2"), "{}")}), "feature 1: is no feature with a polygon");
+  expect_refused(collection({features()[0], feature(named("2"), "{}")}),
+                 "feature 1: is no feature with a polygon: key 'type' not found");
   expect_refused(collection({features()[0], feature(named("2"), polygon("[[[1]]]"))}), "feature 1: is no feature with");
   expect_refused(collection({feature(named("2"), "null"), feature(named("2"), polygon("7"))}),
                  "dropped, no geometry: 1 (first: ");

@@ -82,8 +82,23 @@ TEST(RawShapefiles, MayHaveNullShapes) {
   const ZoneFile file = read_zones(write_squares(folder, kDegrees, degrees_of), {"LocationID", ""});
   EXPECT_EQ(file.zones.size(), 16U);
   EXPECT_EQ(file.zones[15].name, "16");
-  EXPECT_NE(file.report.find("dropped, a null shape: 1 (first: "), std::string::npos) << file.report;
+  EXPECT_NE(file.report.find("dropped, a null shape or one without corners: 1 (first: "), std::string::npos)
+      << file.report;
   EXPECT_NE(file.report.find("zones.shp: shape 16)"), std::string::npos) << file.report;
+}
+
+TEST(RawShapefiles, MayHaveShapesWithoutCorners) {
+  const Folder folder;
+  const fs::path file = write_squares(folder, kDegrees, degrees_of);
+  SHPHandle shapes = SHPOpen(file.c_str(), "rb+");
+  SHPObject* empty = SHPCreateObject(SHPT_POLYGON, 7, 0, nullptr, nullptr, 0, nullptr, nullptr, nullptr, nullptr);
+  SHPWriteObject(shapes, 7, empty);
+  SHPDestroyObject(empty);
+  SHPClose(shapes);
+  const ZoneFile read = read_zones(file, {"LocationID", ""});
+  EXPECT_EQ(read.zones.size(), 15U);
+  EXPECT_NE(read.report.find("dropped, a null shape or one without corners: 2 (first: "), std::string::npos)
+      << read.report;
 }
 
 TEST(RawShapefiles, MayHaveEndingsInAnyCase) {
@@ -109,6 +124,9 @@ TEST(RawShapefiles, MayBeOfAnyProjection) {
   const LatLon corner = point_of(*std::min_element(ring.begin(), ring.end()));
   EXPECT_NEAR(corner.lat, 40.688182, 1.1e-6) << "as PROJ's cs2cs has 980000, 190000 of EPSG:2263";
   EXPECT_NEAR(corner.lon, -74.015325, 1.1e-6);
+  folder.write("zones.prj", "\xEF\xBB\xBF" + kStatePlane);
+  EXPECT_EQ(read_zones(folder.path() / "zones.shp").zones[0].centre.lat, file.zones[0].centre.lat)
+      << "a byte order mark";
   EXPECT_NEAR(file.zones[0].area_m2, 4400.0 * 5475.0 * 0.3048006 * 0.3048006, 1e4);
 }
 

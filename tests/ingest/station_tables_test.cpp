@@ -124,7 +124,7 @@ TEST_F(StationTables, WithOddRowsKeepTheOthers) {
   expect_reported("dropped, no points: 2 (first: " + at(2) + ": `zero`)");
   expect_reported("dropped, outside the regions: 2 (first: " + at(4) + ": `swapped`)");
   expect_reported("dropped, no number of points, a whole number up to 10000: 1 (first: " + at(7) + ": `1,000`)");
-  expect_reported("dropped, no name: 1 (first: " + at(8) + ": `52.34750`)");
+  expect_reported("dropped, no name: 1 (first: " + at(8) + ": `52.3475, 9.71`)");
 }
 
 TEST_F(StationTables, MayHaveLineBreaksInQuotes) {

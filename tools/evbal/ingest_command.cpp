@@ -72,7 +72,10 @@ void add_od(CLI::App& ingest) {
   CLI::App* command = ingest.add_subcommand("od", "Make a city of one day's trips without their time of day");
   command->add_option("--trips", sources.trips, "Table of trips between cells, .csv, plain or compressed")->required();
   command->add_option("--zones", sources.zones, "Polygons to merge: GeoJSON or a shapefile")->required();
-  command->add_option("--stations", sources.stations, "Table of stations, .csv, plain or compressed")->required();
+  command
+      ->add_option("--stations", sources.stations,
+                   "List of stations, .csv or Open Charge Map's .json, plain or compressed")
+      ->required();
   command->add_option("--like", sources.like, "Pack of the city that lends its days")->required();
   command->add_option("--notes", sources.notes, "YAML of what the tables do not say")->required();
   command->add_option("--regions", sources.regions, "Number of regions")
@@ -128,7 +131,10 @@ void add_counts(CLI::App& ingest) {
       ->required();
   command->add_option("--trips", sources.trips, "Table of single trips, for travel: .csv, plain or compressed")
       ->required();
-  command->add_option("--stations", sources.stations, "Table of stations, .csv, plain or compressed")->required();
+  command
+      ->add_option("--stations", sources.stations,
+                   "List of stations, .csv or Open Charge Map's .json, plain or compressed")
+      ->required();
   command->add_option("--sessions", sources.sessions, "Folder of charging sessions")->required();
   command->add_option("--notes", sources.notes, "YAML of what the tables do not say, and how they are laid out")
       ->required();
@@ -179,8 +185,11 @@ void add_stations(CLI::App& ingest) {
   };
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = ingest.add_subcommand("stations", "Put charging stations into the regions that they lie in");
-  command->add_option("--stations", arguments->table, "Table of stations, .csv, plain or compressed")->required();
-  command->add_option("--format", arguments->format, "YAML of where its columns are")->required();
+  command
+      ->add_option("--stations", arguments->table,
+                   "List of stations, .csv or Open Charge Map's .json, plain or compressed")
+      ->required();
+  command->add_option("--format", arguments->format, "YAML of how it is laid out")->required();
   command->add_option("--regions", arguments->regions, "regions.geojson of a pack or of `ingest partition`")
       ->required();
   command->add_option("--snap", arguments->snap_m, "Metres outside all regions up to which the nearest takes a station")

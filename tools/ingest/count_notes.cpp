@@ -43,10 +43,8 @@ void read_sample_part(const YamlValue& value, SampleFormat& format) {
 
 void read_stations_part(const YamlValue& value, CountNotes& notes) {
   YamlMap map(value);
-  notes.stations = read_station_format(map);
-  notes.points_share = map.require("share").number(0.0, 1.0);
+  notes.stations = read_fleet_stations(map, notes.city);
   notes.snap_m = map.require("snap_m").number(0.0, 10'000.0);
-  notes.city.charging.power_kw = map.require("power_kw").number(0.1, 10'000.0);
   map.finish();
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "agents/world/city.hpp"
-#include "tools/ingest/ingest_stations.hpp"
+#include "tools/ingest/fleet_stations.hpp"
 #include "tools/ingest/sessions.hpp"
 #include "tools/ingest/travel_sample.hpp"
 #include "tools/ingest/zone_counts.hpp"
@@ -18,8 +18,7 @@ struct CountNotes {
   CountFormat counts;           ///< layout of the tables of counts
   CountChoice choice;           ///< days and hours of the city, and the share of the trips
   SampleFormat sample;          ///< layout of the table of single trips
-  StationFormat stations;       ///< layout of the table of stations
-  double points_share = 1.0;    ///< of the points on record that serve the fleet
+  FleetStations stations;       ///< the list of stations
   double snap_m = 500.0;        ///< stations up to this far outside the zones belong to the nearest
   SessionFormat session_table;  ///< layout of the tables of charging sessions
   SessionChoice sessions;       ///< whose lengths are those of the fleet

@@ -1,15 +1,13 @@
-#include "agents/world/pack_table.hpp"
 #include "common/decimal.hpp"
 #include "common/error.hpp"
 #include "tools/ingest/projection.hpp"
+#include "tools/ingest/raw_json.hpp"
 #include "tools/ingest/read_zones.hpp"
 #include "tools/ingest/zone_collector.hpp"
 #include "tools/ingest/zone_ids.hpp"
-#include "tools/records/text_lines.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string_view>
@@ -21,33 +19,6 @@ using nlohmann::json;
 
 /// A complaint about one feature.
 using Complaint = std::domain_error;
-
-/// A member of an object; null if it has none, or if it is no object.
-const json& member(const json& object, std::string_view name) {
-  static const json none;
-  const auto found = object.find(name);
-  return found == object.end() ? none : *found;
-}
-
-json parse(const std::filesystem::path& file) {
-  const std::string text = unpacked_text(file);
-  try {
-    return json::parse(text);
-  } catch (const json::parse_error& error) {
-    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-    const auto line = 1 + std::count(text.begin(), end == text.begin() ? end : std::prev(end), '\n');
-    const std::string what = error.what();
-    std::string wrong = what.substr(what.find(": ", what.find(", column ")) + 2);
-    if (what.find("; expected end of input") != std::string::npos) {
-      wrong = "something follows its end; put all features into one FeatureCollection";
-    } else if (error.byte + 1 >= text.size()) {
-      wrong = "it breaks off; is the file truncated?";
-    }
-    throw bad_input(file.string(), static_cast<int>(line), "is no GeoJSON: " + wrong);
-  } catch (const json::exception& error) {
-    throw bad_input(file.string(), 0, std::string("is no GeoJSON: ") + error.what());
-  }
-}
 
 /// Reads the features of a FeatureCollection.
 class FeatureReader {
@@ -71,7 +42,7 @@ class FeatureReader {
     } catch (const Complaint& complaint) {
       throw with_report(zones_.error(position, complaint.what()), zones_.dropped().report());
     } catch (const json::exception& error) {
-      throw with_report(zones_.error(position, std::string("is no feature with a polygon: ") + error.what()),
+      throw with_report(zones_.error(position, "is no feature with a polygon: " + words_of(error)),
                         zones_.dropped().report());
     } catch (const Error& error) {
       throw with_report(error, zones_.dropped().report());
@@ -113,7 +84,7 @@ class FeatureReader {
     crs_ = projection_of(geometry, projection_of(feature, collection_crs_));
     Zone zone;
     corners_ = false;
-    const bool polygonal = add_geometry(geometry, zone, position, true);
+    const bool polygonal = add_geometry(geometry, zone, position);
     if (!zone.rings.empty()) {
       zones_.add(position, std::move(zone), name_of(feature), weight_of(feature));
     } else if (polygonal) {
@@ -122,7 +93,7 @@ class FeatureReader {
   }
 
   /// False, and a word, if the geometry is no polygon.
-  bool add_geometry(const json& geometry, Zone& zone, std::size_t position, bool may_collect) {
+  bool add_geometry(const json& geometry, Zone& zone, std::size_t position) {
     const auto& type = geometry.at("type").get_ref<const std::string&>();
     if (type == "Polygon") {
       add_polygon(geometry.at("coordinates"), zone);
@@ -130,10 +101,16 @@ class FeatureReader {
       for (const auto& polygon : geometry.at("coordinates")) {
         add_polygon(polygon, zone);
       }
-    } else if (type == "GeometryCollection" && may_collect) {
-      for (const auto& part : geometry.at("geometries")) {
-        add_geometry(part, zone, position, false);
+    } else if (type == "GeometryCollection") {
+      const json& parts = geometry.at("geometries");
+      if (parts.empty()) {
+        zones_.drop(position, "no geometry");
       }
+      bool polygonal = false;
+      for (const auto& part : parts) {
+        polygonal = add_geometry(part, zone, position) || polygonal;
+      }
+      return polygonal;
     } else {
       zones_.drop(position, "geometry " + shown(type) + ", which is no polygon");
       return false;
@@ -191,9 +168,7 @@ class FeatureReader {
       return std::nullopt;
     }
     const json& value = field(feature, fields_.weight);
-    const auto number = value.is_string()   ? parse_number(value.get_ref<const std::string&>())
-                        : value.is_number() ? std::optional(value.get<double>())
-                                            : std::nullopt;
+    const auto number = number_in(value);
     if (!number || *number < 0.0) {
       throw Complaint("weight " + value.dump() + " is no number from 0 on");
     }
@@ -222,12 +197,13 @@ class FeatureReader {
 }  // namespace
 
 ZoneFile read_geojson_zones(const std::filesystem::path& file, const ZoneFields& fields) {
-  const json collection = parse(file);
-  if (!collection.is_object() || !member(collection, "features").is_array()) {
-    const json type = collection.is_object() ? member(collection, "type") : json();
+  const json collection = read_raw_json(file, "GeoJSON", "FeatureCollection");
+  if (!member(collection, "features").is_array()) {
+    const json& type = member(collection, "type");
+    const bool other = type.is_string() && type != "FeatureCollection";
     throw bad_input(file.string(), 0,
-                    "is no GeoJSON FeatureCollection" +
-                        (type.is_string() ? ", but a " + shown(type.get<std::string>()) : std::string()));
+                    "is no GeoJSON FeatureCollection, " +
+                        (other ? "but a " + shown(type.get<std::string>()) : "with a list of `features`"));
   }
   return FeatureReader(file, fields).read(collection);
 }

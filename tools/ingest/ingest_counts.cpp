@@ -3,17 +3,15 @@
 #include "agents/world/factors.hpp"
 #include "common/error.hpp"
 #include "tools/ingest/count_notes.hpp"
+#include "tools/ingest/day_trips.hpp"
 #include "tools/ingest/ingest_partition.hpp"
 #include "tools/ingest/rounding.hpp"
-#include "tools/ingest/station_list.hpp"
 #include "tools/ingest/trip_end_sums.hpp"
 #include "tools/ingest/zone_places.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <sstream>
-#include <tuple>
 
 namespace evbal {
 namespace {
@@ -32,9 +30,9 @@ std::vector<double> ends_of(const ZoneCounts& counts, std::size_t zones) {
 }
 
 /// Sets the regions' centroids to their mean trip end, spread evenly over each zone, and returns the spread around it.
-std::vector<double> place_regions(const Partition& partition, const std::vector<double>& ends,
-                                  std::vector<Region>& regions) {
-  TripEndSums places(regions);
+std::vector<double> place_evenly(const Partition& partition, const std::vector<double>& ends,
+                                 std::vector<Region>& regions) {
+  TripEndSums places(static_cast<int>(regions.size()), regions.front().centroid);
   const ZonePlaces within(partition.zones);
   for (std::size_t z = 0; z < partition.zones.size(); ++z) {
     // A zone without trips counts a little, so that its region has a place and a size.
@@ -43,25 +41,15 @@ std::vector<double> place_regions(const Partition& partition, const std::vector<
       places.add(partition.region_of[z], *within.place(partition.zones[z].name, draw), weight);
     }
   }
-  return places.place(regions, 0.0);
+  return place_regions(places, 0.0, regions);
 }
 
-std::vector<DemandDay> demand_days(const City& city, const ZoneCounts& counts, const std::vector<int>& region_of) {
-  std::map<std::tuple<int, int, int, int>, int> trips;  // by day, step, origin and destination
+std::vector<DayTrips> day_trips(const ZoneCounts& counts, const std::vector<int>& region_of, std::size_t days) {
+  std::vector<DayTrips> trips(days);
   for (const ZoneCount& cell : counts.cells) {
-    trips[{cell.day, cell.step, region_of[cell.from], region_of[cell.to]}] += cell.trips;
+    trips[cell.day][{cell.step, region_of[cell.from], region_of[cell.to]}] += cell.trips;
   }
-  std::vector<DemandDay> days;
-  for (const std::string& date : city.days) {
-    const bool holiday = std::binary_search(city.holidays.begin(), city.holidays.end(), date);
-    days.push_back({date, holiday, {}});
-    days.back().steps.resize(city.steps_per_day());
-  }
-  for (const auto& [key, count] : trips) {
-    const auto& [day, step, from, to] = key;
-    days[day].steps[step].push_back({from, to, count});
-  }
-  return days;
+  return trips;
 }
 
 /// Sets km and minutes of all pairs. The pack has one table for the day: hours count by the trips that start in them.
@@ -108,21 +96,18 @@ IngestedCity ingest_counts(const CountSources& sources) {
   City& city = made.city;
   city.name += "-" + std::to_string(sources.regions);
   city.regions = partition.regions;
-  const std::vector<double> spread = place_regions(partition, ends, city.regions);
+  const std::vector<double> spread = place_evenly(partition, ends, city.regions);
   const TravelSample travel = fit_travel(sources.trips, notes.sample, partition.zones, [&](int from, int to) {
     return straight_km(city, spread, partition.region_of[from], partition.region_of[to]);
   });
   set_mean_travel(travel, counts, spread, city);
-  const IngestedStations stations = ingest_stations(sources.stations, notes.stations, city.regions, notes.snap_m);
-  city.stations = share_of_points(stations.stations, notes.points_share);
+  const std::string stations = add_stations(sources.stations, notes.stations, notes.snap_m, city);
   const SessionSample sessions = read_sessions(sources.sessions, notes.session_table, notes.sessions);
   city.charging.session_quantiles = quantiles(sessions.minutes, kLengths);
-  made.days = demand_days(city, counts, partition.region_of);
+  made.days = demand_days(city, day_trips(counts, partition.region_of, city.days.size()));
 
   std::ostringstream out;
-  out << counts.report << partition.report << travel.report << stations.report
-      << "points for the fleet: " << city.points().sum() << " at " << city.stations.size() << " stations\n"
-      << sessions.report;
+  out << counts.report << partition.report << travel.report << stations << sessions.report;
   made.report = out.str();
   return made;
 }

@@ -2,14 +2,13 @@
 
 #include "agents/world/factors.hpp"
 #include "agents/world/geometry.hpp"
-#include "common/decimal.hpp"
 #include "common/error.hpp"
 #include "tools/ingest/course.hpp"
 #include "tools/ingest/ingest_partition.hpp"
 #include "tools/ingest/od_notes.hpp"
 #include "tools/ingest/rounding.hpp"
-#include "tools/ingest/station_list.hpp"
 #include "tools/ingest/trip_end_sums.hpp"
+#include "tools/records/record_place.hpp"
 #include "tools/records/row_tally.hpp"
 
 #include <algorithm>
@@ -154,17 +153,14 @@ struct Pairs {
   std::string report() const {
     return "trips: " + std::to_string(used + outside) +
            "\n  dropped, an end outside the zones: " + std::to_string(outside) +
-           (outside == 0 ? ""
-                         : " (first: " + decimal(rounded(first_outside.lat, 1e5)) + ", " +
-                               decimal(rounded(first_outside.lon, 1e5)) + ")") +
-           "\n";
+           (outside == 0 ? "" : " (first: " + place_text(first_outside) + ")") + "\n";
   }
 };
 
 Pairs count_pairs(const CellTrips& trips, const std::vector<int>& zone_of, const std::vector<int>& region_of,
                   double cell_m, City& city) {
   Pairs pairs;
-  TripEndSums ends(city.regions);
+  TripEndSums ends(city.size(), city.regions.front().centroid);
   for (const auto& [cells, count] : trips.trips) {
     const auto [from, to] = cells;
     if (zone_of[from] < 0 || zone_of[to] < 0) {
@@ -179,7 +175,7 @@ Pairs count_pairs(const CellTrips& trips, const std::vector<int>& zone_of, const
     ends.add(origin, trips.cells[from], static_cast<double>(count));
     ends.add(destination, trips.cells[to], static_cast<double>(count));
   }
-  city.factors->spread_km = ends.place(city.regions, cell_m);
+  city.factors->spread_km = place_regions(ends, cell_m, city.regions);
   for (const auto& [pair, count] : pairs.trips) {
     city.factors->pairs.push_back({pair.first, pair.second, static_cast<int>(count)});
   }
@@ -197,20 +193,20 @@ OdCity city_of(const OdSources& sources, OdNotes notes, const CellTrips& trips) 
   city.regions = std::move(partition.regions);
   const Pairs pairs = count_pairs(trips, zone_of, partition.region_of, notes.trips.cell_m(), city);
   if (pairs.used == 0) {
-    throw with_report(bad_input(sources.trips.string(), 0, "has no trip between two zones"),
-                      pairs.report() + partition.report);
+    throw with_report(
+        bad_input(sources.trips.string(), 0,
+                  "has no trip between two zones; a zone lies at " + place_text(partition.zones.front().centre)),
+        pairs.report() + partition.report);
   }
   take_days(read_city(sources.like), notes.within_day, city);
-  const IngestedStations stations = ingest_stations(sources.stations, notes.stations, city.regions, notes.snap_m);
-  city.stations = share_of_points(stations.stations, notes.points_share);
+  const std::string stations = add_stations(sources.stations, notes.stations, notes.snap_m, city);
   set_travel(city);
 
   std::ostringstream out;
   out << trips.report() << pairs.report() << "trips used: " << pairs.used << " between " << pairs.trips.size()
       << " pairs of regions\n"
       << partition.report << "region deviation from day to day: " << city.factors->region_deviation << "\n"
-      << stations.report << "points for the fleet: " << city.points().sum() << " at " << city.stations.size()
-      << " stations\n";
+      << stations;
   return {std::move(city), out.str()};
 }
 

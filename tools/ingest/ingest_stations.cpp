@@ -2,21 +2,23 @@
 
 #include "agents/world/geometry.hpp"
 #include "common/plain_text.hpp"
+#include "tools/ingest/open_charge_map.hpp"
+#include "tools/ingest/point_sum.hpp"
+#include "tools/ingest/raw_json.hpp"
 #include "tools/ingest/station_list.hpp"
 #include "tools/ingest/time_pattern.hpp"
 #include "tools/records/record_place.hpp"
 #include "tools/records/row_tally.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <set>
 #include <sstream>
 
 namespace evbal {
 namespace {
-
-constexpr long long kMostPoints = 10'000;
 
 /// A name in one line: line breaks and tabs become blanks.
 std::string one_line(std::string_view text) {
@@ -26,79 +28,110 @@ std::string one_line(std::string_view text) {
   return name;
 }
 
-/// Reads rows into stations.
+/// Reads lists of stations and puts each station into its region.
 class StationReader {
  public:
   StationReader(const StationFormat& format, const std::vector<Outline>& outlines, double snap_m)
       : format_(format), map_(outlines), snap_m_(snap_m) {}
 
-  /// Adds the station of a row, or says why it cannot.
-  RowFault add(const RawTable& row) {
-    if (!row.whole()) {
-      return row.fault();
+  /// Reads a table or, if the format says so, an export of Open Charge Map.
+  void read(const std::filesystem::path& file) {
+    if (format_.open_charge_map) {
+      read_charge_map(file);
+    } else {
+      read_table(file);
     }
-    Station station;
-    RowFault fault = read_place(row, format_.lat, format_.lon, station.place);
-    fault = fault ? fault : read_points(row, station.points);
-    fault = fault ? fault : read_name(row, station.name);
-    if (fault) {
-      return fault;
-    }
-    const auto nearest = map_.nearest(station.place);
-    if (nearest.metres > snap_m_) {
-      return {"outside the regions", row.text(format_.name), false};
-    }
-    snapped += nearest.metres > 0.0 ? 1 : 0;
-    station.region = nearest.outline;
-    list.add(station, row.file() + ":" + std::to_string(row.line()));
-    return {};
   }
 
   StationList list;
+  Dropped dropped;
+  long long rows = 0;
   long long snapped = 0;
+  std::optional<LatLon> first_outside;  ///< of the regions
 
  private:
-  RowFault read_points(const RawTable& row, int& points) const {
-    bool told = false;
-    long long sum = 0;
+  void read_table(const std::filesystem::path& file) {
+    RawTable table(file, format_.table);
+    RowTally tally(table, dropped);
+    for (; table.next(); ++rows) {
+      Station station;
+      RowFault fault = read_row(table, station);
+      tally.keeps(fault ? fault : add(std::move(station), file.string() + ":" + std::to_string(table.line())));
+    }
+    tally.finish();
+  }
+
+  void read_charge_map(const std::filesystem::path& file) {
+    const nlohmann::json entries = read_raw_json(file, "JSON", "list");
+    if (!entries.is_array()) {
+      throw bad_input(file.string(), 0, "is no list of stations, such as Open Charge Map exports");
+    }
+    ChargeMapEntry reader;
+    for (const nlohmann::json& entry : entries) {
+      const std::string where = file.string() + ": entry " + std::to_string(rows++);
+      Station station;
+      RowFault fault = reader.read(entry, station);
+      const std::string name = station.name;
+      fault = fault ? fault : add(std::move(station), where);
+      if (fault) {
+        dropped.add(fault.reason, where, fault.value);
+        continue;
+      }
+      for (int untold = 0; untold < reader.untold(); ++untold) {
+        dropped.add("a connection without a number, beside others", where, name);
+      }
+    }
+  }
+
+  RowFault read_row(const RawTable& row, Station& station) const {
+    if (!row.whole()) {
+      return row.fault();
+    }
+    if (const RowFault fault = read_place(row, format_.lat, format_.lon, station.place)) {
+      return fault;
+    }
+    PointSum sum;
     for (const std::size_t column : format_.points) {
       if (row.text(column).empty()) {
         continue;
       }
-      const auto number = row.integer(column);
-      if (!number || std::abs(*number) > kMostPoints) {
-        return {"no number of points, a whole number up to 10000", row.text(column)};
+      if (const RowFault fault = sum.add(row.number(column), row.text(column))) {
+        return fault;
       }
-      sum += *number;
-      told = true;
     }
-    if (!told) {
-      return {"no number of points told", row.text(format_.name), false};
-    }
-    if (sum < 1 || sum > kMostPoints) {
-      return {sum < 1 ? "no points" : "more than 10000 points", row.text(format_.name), false};
-    }
-    points = static_cast<int>(sum);
-    return {};
+    station.name = row.text(format_.name);
+    return sum.total(row.text(format_.name), station.points);
   }
 
-  RowFault read_name(const RawTable& row, std::string& name) const {
-    name = one_line(row.text(format_.name));
-    if (name.empty()) {
-      return {"no name", row.text(format_.lat), false};
+  /// Adds a station, or says why it cannot. The fault's value is valid until the next call.
+  RowFault add(Station station, const std::string& where) {
+    listed_ = station.name;
+    station.name = one_line(station.name);
+    if (station.name.empty()) {
+      listed_ = place_text(station.place);
+      return {"no name", listed_, false};
     }
-    if (find_invalid_utf8(name) != std::string::npos) {
-      return {"name is not UTF-8", row.text(format_.name), false};
+    if (find_invalid_utf8(station.name) != std::string::npos) {
+      return {"name is not UTF-8", listed_, false};
     }
-    if (!validate_line(name).empty()) {
-      return {"name with a control character", row.text(format_.name), false};
+    if (!validate_line(station.name).empty()) {
+      return {"name with a control character", listed_, false};
     }
+    const auto nearest = map_.nearest(station.place);
+    if (nearest.metres > snap_m_) {
+      first_outside = first_outside.value_or(station.place);
+      return {"outside the regions", listed_, false};
+    }
+    snapped += nearest.metres > 0.0 ? 1 : 0;
+    station.region = nearest.outline;
+    list.add(station, where);
     return {};
   }
 
   const StationFormat& format_;
   OutlineMap map_;
   double snap_m_;
+  std::string listed_;  ///< name of the last station
 };
 
 std::string used_report(const std::vector<Station>& stations, std::size_t regions) {
@@ -118,6 +151,12 @@ std::string used_report(const std::vector<Station>& stations, std::size_t region
 
 StationFormat read_station_format(YamlMap& map) {
   StationFormat format;
+  if (const auto layout = map.find("layout")) {
+    format.open_charge_map = layout->one_of({"table", "open-charge-map"}) == 1;
+  }
+  if (format.open_charge_map) {
+    return format;
+  }
   format.table = read_table_format(map);
   YamlMap columns(map.require("columns"));
   format.name = add_column(format.table, columns.require("name"));
@@ -128,29 +167,27 @@ StationFormat read_station_format(YamlMap& map) {
   return format;
 }
 
-IngestedStations ingest_stations(const std::filesystem::path& table, const StationFormat& format,
+IngestedStations ingest_stations(const std::filesystem::path& file, const StationFormat& format,
                                  const std::vector<Region>& regions, double snap_m) {
   StationReader reader(format, outlines_of(regions), snap_m);
-  Dropped dropped;
-  long long read = 0;
   try {
-    RawTable rows(table, format.table);
-    RowTally tally(rows, dropped);
-    for (; rows.next(); ++read) {
-      tally.keeps(reader.add(rows));
-    }
-    tally.finish();
+    reader.read(file);
     if (reader.list.stations().empty()) {
-      throw bad_input(table.string(), 0, "has no station in a region");
+      const auto& outside = reader.first_outside;
+      throw bad_input(
+          file.string(), 0,
+          "has no station in a region" + (outside ? "; one lies at " + place_text(*outside) + ", a region at " +
+                                                        place_text(regions.front().centroid)
+                                                  : std::string()));
     }
   } catch (const Error& error) {
-    throw with_report(error, dropped.report());
+    throw with_report(error, reader.dropped.report());
   }
   std::vector<Station> stations = reader.list.stations();
   std::stable_sort(stations.begin(), stations.end(),
                    [](const Station& a, const Station& b) { return a.region < b.region; });
-  const std::string report = "rows read: " + std::to_string(read) + "\n" + dropped.report() + reader.list.report() +
-                             used_report(stations, regions.size()) +
+  const std::string report = "rows read: " + std::to_string(reader.rows) + "\n" + reader.dropped.report() +
+                             reader.list.report() + used_report(stations, regions.size()) +
                              "  outside all regions, moved to the nearest: " + std::to_string(reader.snapped) + "\n";
   return {std::move(stations), report};
 }

@@ -1,7 +1,7 @@
 #include "tools/ingest/ingest_trips.hpp"
 
-#include "common/decimal.hpp"
 #include "common/error.hpp"
+#include "tools/ingest/day_trips.hpp"
 #include "tools/ingest/merge_zones.hpp"
 #include "tools/ingest/outlines.hpp"
 #include "tools/ingest/rounding.hpp"
@@ -9,25 +9,19 @@
 #include "tools/ingest/stations.hpp"
 #include "tools/ingest/travel.hpp"
 #include "tools/ingest/trips.hpp"
+#include "tools/records/record_place.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
-#include <map>
 #include <memory>
 #include <sstream>
-#include <tuple>
 
 namespace evbal {
 namespace {
 
 constexpr double kPriorTrips = 10.0;  // weight of the travel law against a pair's own trips
 constexpr int kSessionQuantiles = 21;
-
-/// Latitude and longitude as a message shows them.
-std::string place_text(LatLon place) {
-  return decimal(rounded(place.lat, 1e5)) + ", " + decimal(rounded(place.lon, 1e5));
-}
 
 /// The trips of the sources, to be streamed as often as one likes.
 class TripStream {
@@ -94,8 +88,7 @@ ZoneWeights weigh_zones(const TripSources& sources, const CityNotes& notes, cons
 
 /// Trips between regions.
 struct Counts {
-  using Key = std::tuple<int, int, int>;  ///< step, origin, destination
-  std::vector<std::map<Key, int>> days;
+  std::vector<DayTrips> days;
   Eigen::VectorXd ends;  ///< pick-ups and drop-offs of each region
   Eigen::VectorXd pickups;
   long long snapped = 0;  ///< with an end outside the zones but near
@@ -161,20 +154,6 @@ Counts count_trips(const TripSources& sources, const CityNotes& notes, const Tri
     }
   }
   return counts;
-}
-
-std::vector<DemandDay> demand_days(const City& city, const Counts& counts) {
-  std::vector<DemandDay> days;
-  for (std::size_t d = 0; d < counts.days.size(); ++d) {
-    const bool holiday = std::binary_search(city.holidays.begin(), city.holidays.end(), city.days[d]);
-    DemandDay& day = days.emplace_back(DemandDay{city.days[d], holiday, {}});
-    day.steps.resize(city.steps_per_day());
-    for (const auto& [key, trips] : counts.days[d]) {
-      const auto& [step, origin, destination] = key;
-      day.steps[step].push_back({origin, destination, trips});
-    }
-  }
-  return days;
 }
 
 void add_regions(City& city, const std::vector<Zone>& zones, const MergedZones& merged, const TravelSums& travel) {
@@ -249,7 +228,7 @@ IngestedCity city_of(const TripSources& sources, const CityNotes& notes, const T
   add_regions(city, zones, merged, travel);
   add_travel(city, travel, notes.detour);
   add_stations(city, counts, notes);
-  made.days = demand_days(city, counts);
+  made.days = demand_days(city, counts.days);
   made.report = trips.zones_report() + merged.left_out + report_of(city, counts, travel.law(), sessions);
   return made;
 }

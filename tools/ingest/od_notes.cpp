@@ -34,14 +34,6 @@ void read_travel(const YamlValue& value, CityFactors& factors) {
   map.finish();
 }
 
-void read_chargers(const YamlValue& value, OdNotes& notes) {
-  YamlMap map(value);
-  notes.stations = read_station_format(map);
-  notes.points_share = map.require("share").number(0.0, 1.0);
-  notes.city.charging.power_kw = map.require("power_kw").number(0.1, 10'000.0);
-  map.finish();
-}
-
 }  // namespace
 
 OdNotes read_od_notes(const std::filesystem::path& file) {
@@ -57,7 +49,9 @@ OdNotes read_od_notes(const std::filesystem::path& file) {
   read_travel(map.require("travel"), factors);
   notes.snap_m = map.require("snap_m").number(0.0, 10'000.0);
   notes.city.fleet = read_fleet(map.require("fleet"));
-  read_chargers(map.require("stations"), notes);
+  YamlMap stations(map.require("stations"));
+  notes.stations = read_fleet_stations(stations, notes.city);
+  stations.finish();
   notes.city.passengers = read_passengers(map.require("passengers"));
   map.finish();
   return notes;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "agents/world/city.hpp"
-#include "tools/ingest/ingest_stations.hpp"
+#include "tools/ingest/fleet_stations.hpp"
 
 #include <filesystem>
 #include <string>
@@ -25,12 +25,11 @@ struct OdFormat {
 
 /// What is needed to make a city of such a table: read from a small YAML file such as tools/ingest/shenzhen.yaml.
 struct OdNotes {
-  City city;                  ///< name, source, fleet, passengers, the chargers' power; factors but for their tables
-  OdFormat trips;             ///< layout of the table of trips
-  double within_day = 1.0;    ///< share of a day's trips that start in the hours on record
-  double snap_m = 500.0;      ///< cells and stations up to this far outside the zones belong to the nearest
-  StationFormat stations;     ///< layout of the table of stations
-  double points_share = 1.0;  ///< of the points on record that serve the fleet
+  City city;                ///< name, source, fleet, passengers, the chargers' power; factors but for their tables
+  OdFormat trips;           ///< layout of the table of trips
+  double within_day = 1.0;  ///< share of a day's trips that start in the hours on record
+  double snap_m = 500.0;    ///< cells and stations up to this far outside the zones belong to the nearest
+  FleetStations stations;   ///< the list of stations
 };
 
 /// Reads such a file. Throws Error{bad_input} with file and line.

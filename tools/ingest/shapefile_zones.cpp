@@ -74,7 +74,10 @@ fs::path beside(const fs::path& file, const std::string& suffix) {
 /// The system that the .prj names; nothing if there is none: then positions are degrees.
 std::optional<Projection> projection_of(const fs::path& file) {
   const fs::path prj = beside(file, ".prj");
-  const std::string definition = text_of_file(prj);
+  std::string definition = text_of_file(prj);
+  if (definition.starts_with("\xEF\xBB\xBF")) {
+    definition.erase(0, 3);  // the byte order mark
+  }
   if (trimmed_id(definition).empty()) {
     return std::nullopt;
   }
@@ -103,13 +106,13 @@ class Shapes {
 
   int count() const { return count_; }
 
-  /// Nothing if the shape is null.
+  /// Nothing if the shape is null or without corners.
   std::optional<Zone> zone(int record) const {
     const std::unique_ptr<SHPObject, DestroyShape> shape(SHPReadObject(shapes_.get(), record));
     if (!shape) {
       throw bad_input(file_.string(), 0, "shape " + std::to_string(record) + " cannot be read; is the file truncated?");
     }
-    if (shape->nSHPType == SHPT_NULL) {
+    if (shape->nSHPType == SHPT_NULL || shape->nVertices == 0) {
       return std::nullopt;
     }
     SHPRewindObject(shapes_.get(), shape.get());
@@ -229,7 +232,7 @@ ZoneFile read_shapefile_zones(const fs::path& file, const ZoneFields& fields) {
     for (int record = 0; record < shapes.count(); ++record) {
       auto zone = shapes.zone(record);
       if (!zone || zone->rings.empty()) {
-        zones.drop(record, zone ? "a polygon smaller than 0.1 m" : "a null shape");
+        zones.drop(record, zone ? "a polygon smaller than 0.1 m" : "a null shape or one without corners");
         continue;
       }
       zones.add(record, std::move(*zone), fields.name.empty() ? "" : table->text(record, fields.name),

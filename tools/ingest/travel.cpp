@@ -14,14 +14,7 @@ TravelLaw least_squares(double trips, double km, double minutes, double km2, dou
 }
 
 TravelSums::TravelSums(int regions, LatLon origin)
-    : frame_(origin),
-      trips_(Eigen::MatrixXd::Zero(regions, regions)),
-      km_(trips_),
-      minutes_(trips_),
-      ends_(Eigen::VectorXd::Zero(regions)),
-      east_(ends_),
-      north_(ends_),
-      square_(ends_) {}
+    : ends_(regions, origin), trips_(Eigen::MatrixXd::Zero(regions, regions)), km_(trips_), minutes_(trips_) {}
 
 void TravelSums::add(int from, int to, const Trip& trip) {
   trips_(from, to) += 1.0;
@@ -29,23 +22,14 @@ void TravelSums::add(int from, int to, const Trip& trip) {
   minutes_(from, to) += trip.minutes;
   km2_ += trip.km * trip.km;
   km_minutes_ += trip.km * trip.minutes;
-  const auto add_end = [&](int region, LatLon point) {
-    const LocalPoint at = frame_.local(point);
-    ends_[region] += 1.0;
-    east_[region] += at.east;
-    north_[region] += at.north;
-    square_[region] += at.east * at.east + at.north * at.north;
-  };
-  add_end(from, trip.from);
-  add_end(to, trip.to);
+  ends_.add(from, trip.from, 1.0);
+  ends_.add(to, trip.to, 1.0);
 }
 
 std::vector<LatLon> TravelSums::centroids(const std::vector<LatLon>& fallback) const {
   std::vector<LatLon> centroids = fallback;
-  for (int i = 0; i < ends_.size(); ++i) {
-    if (ends_[i] > 0.0) {
-      centroids[i] = frame_.global({east_[i] / ends_[i], north_[i] / ends_[i]});
-    }
+  for (std::size_t i = 0; i < centroids.size(); ++i) {
+    centroids[i] = ends_.mean(static_cast<int>(i)).value_or(centroids[i]);
   }
   return centroids;
 }
@@ -58,21 +42,13 @@ TravelSums::Matrices TravelSums::matrices(const std::vector<LatLon>& centroids, 
                                           double prior_trips) const {
   constexpr double kLeastKm = 0.1;
   constexpr double kLeastMinutes = 1.0;
-  const auto n = static_cast<int>(ends_.size());
+  const auto n = static_cast<int>(trips_.rows());
   const TravelLaw by_km = law();
   Matrices all{trips_, trips_};
-  const auto spread2 = [&](int i) {  // s^2, m^2
-    if (ends_[i] == 0.0) {
-      return 0.0;
-    }
-    const double east = east_[i] / ends_[i];
-    const double north = north_[i] / ends_[i];
-    return std::max(0.0, square_[i] / ends_[i] - east * east - north * north);
-  };
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) {
-      const double between = distance(frame_.local(centroids[i]), frame_.local(centroids[j]));
-      const double prior_km = detour * std::sqrt(between * between + spread2(i) + spread2(j)) / 1000.0;
+      const double between = distance(ends_.frame().local(centroids[i]), ends_.frame().local(centroids[j]));
+      const double prior_km = detour * std::sqrt(between * between + ends_.spread2(i) + ends_.spread2(j)) / 1000.0;
       const double weight = trips_(i, j) + prior_trips;
       const double km = std::max(kLeastKm, (km_(i, j) + prior_trips * prior_km) / weight);
       const double prior_minutes = by_km.start + by_km.per_km * km;

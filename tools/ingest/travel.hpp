@@ -2,6 +2,7 @@
 
 #include "agents/world/geometry.hpp"
 #include "common/eigen.hpp"
+#include "tools/ingest/trip_end_sums.hpp"
 #include "tools/ingest/trips.hpp"
 
 #include <vector>
@@ -44,14 +45,10 @@ class TravelSums {
   Matrices matrices(const std::vector<LatLon>& centroids, double detour, double prior_trips) const;
 
  private:
-  LocalFrame frame_;
+  TripEndSums ends_;
   Eigen::MatrixXd trips_;
   Eigen::MatrixXd km_;  // sums
   Eigen::MatrixXd minutes_;
-  Eigen::VectorXd ends_;  // trip ends in each region,
-  Eigen::VectorXd east_;  // sums of their places and squared places
-  Eigen::VectorXd north_;
-  Eigen::VectorXd square_;
   double km2_ = 0.0;  // sums over all trips
   double km_minutes_ = 0.0;
 };

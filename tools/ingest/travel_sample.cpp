@@ -29,7 +29,8 @@ class SampleReader {
       : format_(format),
         zones_(zones),
         names_(zones, format.table.decimal_comma ? ',' : '.'),
-        no_time_("no time like " + time_example(format.pattern)) {}
+        no_time_("no time like " + time_example(format.pattern)),
+        no_zone_(names_.no_zone()) {}
 
   /// A trip of a row with its zones, or what is wrong with it.
   RowFault read(const RawTable& row, SampleTrip& trip, int& from, int& to) {
@@ -44,7 +45,7 @@ class SampleReader {
     for (const auto& [column, zone] : {std::pair(format_.from, &from), std::pair(format_.to, &to)}) {
       const Zone* found = names_.zone_of(row.text(column));
       if (found == nullptr) {
-        return {"in a zone without polygon", row.text(column)};
+        return {no_zone_, row.text(column), false};
       }
       *zone = static_cast<int>(found - zones_.data());
     }
@@ -74,6 +75,7 @@ class SampleReader {
   const std::vector<Zone>& zones_;
   ZonePlaces names_;
   std::string no_time_;
+  std::string no_zone_;
   std::string text_;
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 namespace evbal {
+
 void TripEndSums::add(int region, LatLon place, double trips) {
   const LocalPoint at = frame_.local(place);
   Sums& sums = sums_[region];
@@ -15,18 +16,29 @@ void TripEndSums::add(int region, LatLon place, double trips) {
   sums.square += trips * (at.east * at.east + at.north * at.north);
 }
 
-std::vector<double> TripEndSums::place(std::vector<Region>& regions, double cell_m) const {
+std::optional<LatLon> TripEndSums::mean(int region) const {
+  const Sums& sums = sums_[region];
+  return sums.trips > 0.0 ? std::optional(frame_.global({sums.east / sums.trips, sums.north / sums.trips}))
+                          : std::nullopt;
+}
+
+double TripEndSums::spread2(int region) const {
+  const Sums& sums = sums_[region];
+  if (sums.trips == 0.0) {
+    return 0.0;
+  }
+  const double east = sums.east / sums.trips;
+  const double north = sums.north / sums.trips;
+  return std::max(0.0, sums.square / sums.trips - east * east - north * north);
+}
+
+std::vector<double> place_regions(const TripEndSums& ends, double cell_m, std::vector<Region>& regions) {
   std::vector<double> spread;
   for (std::size_t r = 0; r < regions.size(); ++r) {
-    const Sums& sums = sums_[r];
-    double square = cell_m * cell_m / 6.0;
-    if (sums.trips > 0.0) {
-      const LocalPoint mean{sums.east / sums.trips, sums.north / sums.trips};
-      const LatLon centroid = frame_.global(mean);
-      regions[r].centroid = rounded(centroid);
-      square += std::max(0.0, sums.square / sums.trips - mean.east * mean.east - mean.north * mean.north);
-    }
-    spread.push_back(rounded(std::sqrt(square) / 1000.0, 1e3));
+    const auto region = static_cast<int>(r);
+    const auto mean = ends.mean(region);
+    regions[r].centroid = mean ? rounded(*mean) : regions[r].centroid;
+    spread.push_back(rounded(std::sqrt(cell_m * cell_m / 6.0 + ends.spread2(region)) / 1000.0, 1e3));
   }
   return spread;
 }

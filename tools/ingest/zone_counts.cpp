@@ -33,7 +33,8 @@ class CountReader {
         choice_(choice),
         zones_(zones),
         names_(zones, format.table.decimal_comma ? ',' : '.'),
-        no_time_("no time like " + time_example(format.pattern)) {
+        no_time_("no time like " + time_example(format.pattern)),
+        no_zone_(names_.no_zone()) {
     for (std::size_t d = 0; d < choice.days.size(); ++d) {
       day_of_[midnight(choice.days[d])] = static_cast<int>(d);
     }
@@ -95,7 +96,7 @@ class CountReader {
   RowFault read_zone(std::string_view name, int& zone) const {
     const Zone* found = names_.zone_of(name);
     if (found == nullptr) {
-      return {"in a zone without polygon", name};
+      return {no_zone_, name, false};
     }
     zone = static_cast<int>(found - zones_.data());
     return {};
@@ -106,6 +107,7 @@ class CountReader {
   const std::vector<Zone>& zones_;
   ZonePlaces names_;
   std::string no_time_;
+  std::string no_zone_;
   std::map<long long, int> day_of_;
   std::string text_;
 };

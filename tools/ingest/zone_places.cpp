@@ -2,6 +2,7 @@
 
 #include "common/random.hpp"
 #include "tools/ingest/zone_ids.hpp"
+#include "tools/records/dropped.hpp"
 
 #include <algorithm>
 
@@ -72,6 +73,10 @@ const ZonePlaces::Shape* ZonePlaces::shape_named(std::string_view name) const {
   const auto number = whole_number(name, decimal_);
   const auto found = number ? numbers_.find(*number) : numbers_.end();
   return found == numbers_.end() ? nullptr : found->second;
+}
+
+std::string ZonePlaces::no_zone() const {
+  return "in a zone without polygon; one that has it is " + shown(shapes_.front().zone->name);
 }
 
 const Zone* ZonePlaces::zone_of(std::string_view name) const {

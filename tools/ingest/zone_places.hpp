@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -20,6 +21,9 @@ class ZonePlaces {
   /// A place in the zone of this name, the same for equal `draw`; nothing if there is no such zone. Without a zone of
   /// just this name it is the only one whose name is the same whole number: 132, 0132 or 132.0.
   std::optional<LatLon> place(std::string_view name, std::uint64_t draw) const;
+
+  /// The reason under which rows are counted whose zone is none of these, with the name of one.
+  std::string no_zone() const;
 
   /// The zone that place() draws in, null if there is none.
   const Zone* zone_of(std::string_view name) const;
