@@ -5,6 +5,7 @@
 #include "common/version.hpp"
 #include "tools/evbal/bound_command.hpp"
 #include "tools/evbal/compare_command.hpp"
+#include "tools/evbal/complete_command.hpp"
 #include "tools/evbal/doctor_command.hpp"
 #include "tools/evbal/fit_command.hpp"
 #include "tools/evbal/ingest_command.hpp"
@@ -57,6 +58,7 @@ int main(int argc, char** argv) {
   evbal::add_fit_command(app);
   evbal::add_verify_command(app);
   evbal::add_doctor_command(app);
+  evbal::add_complete_command(app);
   try {
     check_words(argc, argv);
     app.parse(argc, argv);

@@ -1,5 +1,8 @@
 #include "tools/evbal/scenario_options.hpp"
 
+#include "coordinator/convex/engine.hpp"
+#include "tools/evbal/usage_error.hpp"
+
 #include <CLI/CLI.hpp>
 
 #include <iterator>
@@ -42,9 +45,11 @@ void add_scenario_options(CLI::App& command, ScenarioOptions& options) {
           "--coordinator", [&overrides](const std::string& text) { overrides.coordinator = words_of(text); },
           "Program that makes the plans in place of evbal-coordinator, with its words")
       ->type_name("COMMAND");
-  command.add_option("--transport", overrides.transport, "dds: processes on a bus; inproc: one process");
+  command.add_option("--transport", overrides.transport, "dds: processes on a bus; inproc: one process")
+      ->check(one_of_words({"dds", "inproc"}));
   command.add_option("--regions-per-process", overrides.regions_per_process, "Regions that an agent hosts");
-  command.add_option("--engine", overrides.engine, "Solver of the balancing problem: ipopt or cuts");
+  command.add_option("--engine", overrides.engine, "Solver of the balancing problem")
+      ->check(one_of_words(engine_names()));
   command.add_option("--dds-profiles", overrides.dds_profiles,
                      "Settings of Fast DDS for the bus (XML), of which none are taken from elsewhere");
 }

@@ -1,6 +1,7 @@
 #include "tools/evbal/usage_error.hpp"
 
 #include "common/suggestion.hpp"
+#include "tools/evbal/command_names.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -8,24 +9,6 @@
 
 namespace evbal {
 namespace {
-
-std::vector<std::string> option_names(const CLI::App& command) {
-  std::vector<std::string> names;
-  for (const CLI::Option* option : command.get_options()) {
-    for (const std::string& name : option->get_lnames()) {
-      names.push_back("--" + name);
-    }
-  }
-  return names;
-}
-
-std::vector<std::string> command_names(const CLI::App& command) {
-  std::vector<std::string> names;
-  for (const CLI::App* sub : command.get_subcommands([](const CLI::App* sub) { return !sub->get_group().empty(); })) {
-    names.push_back(sub->get_name());
-  }
-  return names;
-}
 
 /// What is wrong with the first word that the command could not place, an option before anything else.
 std::optional<std::string> misplaced_word(const CLI::App& command) {
