@@ -4,11 +4,11 @@
 # Debian wants for each package: its changes, compressed, and whose it is on what terms. evbal-dev shares evbal's folder.
 set(deb ${PROJECT_BINARY_DIR}/deb)
 file(MAKE_DIRECTORY ${deb})
-set(d3_copyright /usr/share/doc/libjs-d3/copyright)
+set(copyright ${PROJECT_SOURCE_DIR}/tools/deb/copyright /usr/share/doc/libjs-d3/copyright /usr/share/doc/coinor-libipopt-dev/copyright)
 add_custom_command(OUTPUT ${deb}/changelog.gz ${deb}/copyright
   COMMAND gzip -9nc ${PROJECT_SOURCE_DIR}/CHANGELOG.md > ${deb}/changelog.gz
-  COMMAND cat ${PROJECT_SOURCE_DIR}/tools/deb/copyright ${d3_copyright} > ${deb}/copyright
-  DEPENDS ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_SOURCE_DIR}/tools/deb/copyright ${d3_copyright})
+  COMMAND cat ${copyright} > ${deb}/copyright
+  DEPENDS ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${copyright})
 add_custom_target(deb ALL DEPENDS ${deb}/changelog.gz ${deb}/copyright)
 file(CREATE_LINK evbal ${deb}/evbal-dev SYMBOLIC)
 install(FILES ${deb}/changelog.gz ${deb}/copyright DESTINATION share/doc/evbal)
