@@ -17,7 +17,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-Names metrics() {
+Names metric_words() {
   Names names;
   for (const MetricMeaning& metric : metric_meanings()) {
     names.push_back(metric.name);
@@ -46,10 +46,10 @@ Names values_of(const CLI::Option& option) {
       {"SCENARIO", [] { return shipped_names("scenarios"); }},
       {"SWEEP", [] { return shipped_names("studies"); }},
       {"TUNING", [] { return shipped_names("studies"); }},
-      {"--at", metrics},
+      {"--at", metric_words},
       {"--controller", controller_names},
       {"--faults", [] { return shipped_names("faults"); }},
-      {"--metric", metrics},
+      {"--metric", metric_words},
   };
   const auto known = named.find(option.get_name(option.get_positional()));
   return known != named.end() ? known->second() : words_in_braces(option.get_type_name());

@@ -10,7 +10,7 @@ namespace {
 
 using Words = std::set<std::string>;
 
-Words lines_of(const std::string& text) {
+Words words_of_lines(const std::string& text) {
   std::istringstream stream(text);
   Words lines;
   for (std::string line; std::getline(stream, line);) {
@@ -28,9 +28,9 @@ Words offered(const std::string& words) {
                    "; printf \"%s\\n\" ${COMPREPLY[@]+\"${COMPREPLY[@]}\"}'");
   EXPECT_EQ(ended.status, 0) << words;
   EXPECT_EQ(ended.err, "") << words;
-  Words offered = lines_of(ended.out);
-  offered.erase("");
-  return offered;
+  Words found = words_of_lines(ended.out);
+  found.erase("");
+  return found;
 }
 
 /// The first column of what `evbal list` prints, without its title.
