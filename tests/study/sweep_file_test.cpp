@@ -4,7 +4,10 @@
 #include "experiments/study/store/sweep_origin.hpp"
 #include "tests/folder.hpp"
 
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
+
+#include <functional>
 
 namespace evbal {
 namespace {
@@ -127,6 +130,37 @@ TEST_F(SweepFileOf3, QuotesNames) {
   const std::string days = swept_days_csv(file_);
   EXPECT_NE(days.find("\n1,\"rush, hour\",a,ratio,\"\"\"a\"\"\",2024-01-11,1,10,\"b\rc\",0.1,"), std::string::npos)
       << days;
+}
+
+TEST_F(SweepFileOf3, IsReadAfterAWriterThatWasKilled) {
+  namespace fs = std::filesystem;
+  begin_sweep(file_, small_sweep(), {"k1", "k1", "k1"});
+  note_origin(file_, {.command = "c", .file = "a.yaml", .text = "t", .scenario = "s"});
+  add("k1", 10);
+  const std::string whole = swept_steps_csv(file_);
+  const std::vector<std::function<void(const fs::path&)>> readers = {
+      [](const fs::path& file) { EXPECT_TRUE(played_by_others(file, {"k1"}).empty()); },
+      [](const fs::path& file) { EXPECT_EQ(read_finished(file).size(), 3U); },
+      [](const fs::path& file) { EXPECT_EQ(read_finished_steps(file, {"lost"}).size(), 3U); },
+      [](const fs::path& file) { EXPECT_EQ(read_origin(file).command, "c"); },
+      [](const fs::path& file) { EXPECT_NE(swept_days_csv(file), ""); },
+      [&](const fs::path& file) { EXPECT_EQ(swept_steps_csv(file), whole); },
+  };
+  // What such a writer leaves is what lies there while one has more to write than it keeps in memory.
+  SQLite::Database writer(file_.string(), SQLite::OPEN_READWRITE);
+  writer.exec("PRAGMA cache_size = 1");
+  writer.exec("BEGIN IMMEDIATE");
+  writer.exec(
+      "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 9999) "
+      "INSERT INTO steps (key, start) SELECT 'k1', i FROM n");
+  for (std::size_t reader = 0; reader < readers.size(); ++reader) {
+    const fs::path left = folder_.path() / std::to_string(reader);
+    fs::create_directory(left);
+    for (const char* name : {"sweep.sqlite", "sweep.sqlite-journal"}) {
+      fs::copy_file(folder_.path() / name, left / name);
+    }
+    EXPECT_NO_THROW(readers[reader](left / "sweep.sqlite")) << reader;
+  }
 }
 
 TEST_F(SweepFileOf3, RefusesAnotherFile) {

@@ -1,6 +1,7 @@
 #include "experiments/study/store/finished_steps.hpp"
 
 #include "common/error.hpp"
+#include "experiments/study/store/open_database.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
@@ -13,7 +14,7 @@ std::vector<FinishedSteps> read_finished_steps(const std::filesystem::path& file
     names += ", " + column;
   }
   try {
-    const SQLite::Database database(file.string());
+    const SQLite::Database database = open_database(file);
     SQLite::Statement row(database,
                           "SELECT run, start" + names + " FROM days JOIN steps USING (key) ORDER BY run, step");
     std::vector<FinishedSteps> days;

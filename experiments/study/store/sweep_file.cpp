@@ -6,6 +6,7 @@
 #include "common/version.hpp"
 #include "experiments/metrics/columns.hpp"
 #include "experiments/record/database_table.hpp"
+#include "experiments/study/store/open_database.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
@@ -15,12 +16,6 @@ namespace evbal {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int longest_wait_ms = 60'000;  // for another process that writes
-
-SQLite::Database opened(const fs::path& file, int flags) {
-  return SQLite::Database(file.string(), flags, longest_wait_ms);
-}
 
 Error no_sweep(const fs::path& file, const SQLite::Exception& error) {
   return bad_input(file.string() + ": is no sweep of this version of evbal (" + error.what() +
@@ -101,7 +96,7 @@ std::string cell(const SQLite::Column& column) {
 
 /// All that `query` finds, with a header; `key` is left out.
 std::string csv(const fs::path& file, const std::string& query) {
-  const SQLite::Database database = opened(file, SQLite::OPEN_READONLY);
+  const SQLite::Database database = open_database(file);
   SQLite::Statement rows(database, query);
   std::vector<int> shown;
   std::vector<std::string> cells;
@@ -133,7 +128,7 @@ void make_tables(SQLite::Database& database) {
 
 std::set<std::string> begin_sweep(const fs::path& file, const Sweep& sweep, const std::vector<std::string>& keys) {
   try {
-    SQLite::Database database = opened(file, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    SQLite::Database database = open_database(file, SQLite::OPEN_CREATE);
     SQLite::Transaction transaction(database);
     make_tables(database);
     database.exec("DROP TABLE IF EXISTS days");
@@ -155,7 +150,7 @@ std::set<std::string> begin_sweep(const fs::path& file, const Sweep& sweep, cons
 }
 
 void add_result(const fs::path& file, const std::string& key, const DayClock& clock, const DayResult& result) {
-  SQLite::Database database = opened(file, SQLite::OPEN_READWRITE);
+  SQLite::Database database = open_database(file);
   SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
   Table(database, "results", result_row("", {})).add(result_row(key, result));
   Table steps(database, "steps", step_row("", {}, {}));
@@ -166,14 +161,14 @@ void add_result(const fs::path& file, const std::string& key, const DayClock& cl
 }
 
 void begin_results(const fs::path& file) {
-  SQLite::Database database = opened(file, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  SQLite::Database database = open_database(file, SQLite::OPEN_CREATE);
   SQLite::Transaction transaction(database);
   make_tables(database);
   transaction.commit();
 }
 
 void merge_result(const fs::path& file, const fs::path& other) {
-  SQLite::Database database = opened(file, SQLite::OPEN_READWRITE);
+  SQLite::Database database = open_database(file);
   SQLite::Statement attach(database, "ATTACH ? AS other");
   attach.bind(1, other.string());
   attach.exec();
@@ -188,7 +183,7 @@ std::vector<PlayedByAnother> played_by_others(const fs::path& file, const std::v
     return {};
   }
   try {
-    const SQLite::Database database = opened(file, SQLite::OPEN_READONLY);
+    const SQLite::Database database = open_database(file);
     SQLite::Statement row(database, "SELECT program, key FROM results WHERE program <> ? ORDER BY program");
     row.bind(1, this_program());
     const std::set<std::string> asked_for(keys.begin(), keys.end());
@@ -218,7 +213,7 @@ std::vector<FinishedDay> read_finished(const fs::path& file) try {
   if (!fs::exists(file)) {
     throw bad_input(file.string() + ": is not there; give a directory that `evbal sweep` wrote");
   }
-  const SQLite::Database database = opened(file, SQLite::OPEN_READONLY);
+  const SQLite::Database database = open_database(file);
   SQLite::Statement rows(database, "SELECT * FROM days LEFT JOIN results USING (key) LEFT JOIN " + after_7_query() +
                                        " USING (key) ORDER BY run");
   std::vector<FinishedDay> days;

@@ -2,13 +2,14 @@
 
 #include "common/error.hpp"
 #include "experiments/record/database_table.hpp"
+#include "experiments/study/store/open_database.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
 namespace evbal {
 
 void note_origin(const std::filesystem::path& file, const SweepOrigin& origin) {
-  SQLite::Database database(file.string(), SQLite::OPEN_READWRITE);
+  SQLite::Database database = open_database(file);
   SQLite::Transaction transaction(database);
   database.exec("DROP TABLE IF EXISTS origin");
   const Row row = {
@@ -19,7 +20,7 @@ void note_origin(const std::filesystem::path& file, const SweepOrigin& origin) {
 
 SweepOrigin read_origin(const std::filesystem::path& file) {
   try {
-    const SQLite::Database database(file.string());
+    const SQLite::Database database = open_database(file);
     SQLite::Statement row(database, "SELECT command, file, text, scenario FROM origin");
     row.executeStep();
     return {.command = row.getColumn(0).getString(),
