@@ -193,10 +193,13 @@ int processes_with(const std::string& word) {
 
 /// Waits up to 10 s.
 bool comes_true(const std::function<bool()>& condition) {
-  for (int i = 0; i < 1000 && !condition(); ++i) {
+  for (int i = 0; i < 1000; ++i) {
+    if (condition()) {
+      return true;
+    }
     std::this_thread::sleep_for(10ms);
   }
-  return condition();
+  return false;
 }
 
 /// A run of so many regions in a launcher of its own.

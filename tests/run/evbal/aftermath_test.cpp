@@ -17,10 +17,13 @@ namespace fs = std::filesystem;
 
 /// Waits up to a minute.
 bool comes_true(const std::function<bool()>& condition) {
-  for (int i = 0; i < 6000 && !condition(); ++i) {
+  for (int i = 0; i < 6000; ++i) {
+    if (condition()) {
+      return true;
+    }
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
-  return condition();
+  return false;
 }
 
 /// Whether a process has `word` in its command line.
