@@ -10,7 +10,8 @@ constexpr double value_of_tick = 0.1;  // km that a car is worth for each tick t
 /// A passenger's price is half of what he could cost at least, so that something is left on each of his columns.
 NetworkRows starting_prices(const TimeNetwork& network, double price) {
   const auto value = [&](int node) {
-    return node < 0 ? 0.0 : value_of_tick * ((network.nodes() - 1 - node) / network.regions + 1);
+    const int ticks_left = (network.nodes() - 1 - node) / network.regions + 1;
+    return node < 0 ? 0.0 : value_of_tick * ticks_left;
   };
   NetworkRows y{Eigen::VectorXd(network.nodes()), Eigen::VectorXd(static_cast<Eigen::Index>(network.groups.size()))};
   for (int node = 0; node < network.nodes(); ++node) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <ranges>
 #include <utility>
 
 namespace evbal {
@@ -110,8 +111,8 @@ TimeNetwork time_network(const BoundDay& day, Rounding rounding) {
 }
 
 std::vector<double> consistent_values(const TimeNetwork& network, std::vector<double> guess) {
-  for (auto way = network.ways.rbegin(); way != network.ways.rend(); ++way) {
-    guess[way->from] = std::max(guess[way->from], value_at(guess, way->to) - way->km);
+  for (const auto& way : std::views::reverse(network.ways)) {
+    guess[way.from] = std::max(guess[way.from], value_at(guess, way.to) - way.km);
   }
   return guess;
 }

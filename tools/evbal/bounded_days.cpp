@@ -39,7 +39,8 @@ class BoundKeys {
       overrides.day = day.day;
       overrides.seed = day.seed;
       for (const auto& [path, value] : std::get<2>(at->first)) {
-        overrides.settings.push_back(path + "=" + value);
+        overrides.settings.push_back(path);
+        overrides.settings.back().append("=").append(value);
       }
       const Scenario scenario = read_scenario(scenario_, overrides);
       if (!scenario.schedule.faults.empty()) {
