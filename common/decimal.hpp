@@ -2,6 +2,7 @@
 
 #include <array>
 #include <charconv>
+#include <cstdio>
 #include <string>
 #include <type_traits>
 
@@ -17,6 +18,13 @@ requires std::is_arithmetic_v<Number> std::string decimal(Number value) {
   } else {
     return {first, std::to_chars(first, first + digits.size(), value).ptr};
   }
+}
+
+/// The number with `digits` after the point; `sign`: with + or - before it.
+inline std::string fixed(double value, int digits, bool sign = false) {
+  std::array<char, 400> text{};  // the largest number has 309 before the point
+  std::snprintf(text.data(), text.size(), sign ? "%+.*f" : "%.*f", digits, value);
+  return text.data();
 }
 
 }  // namespace evbal

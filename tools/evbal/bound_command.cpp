@@ -1,5 +1,6 @@
 #include "tools/evbal/bound_command.hpp"
 
+#include "common/decimal.hpp"
 #include "common/error.hpp"
 #include "common/files.hpp"
 #include "common/interrupt.hpp"
@@ -13,7 +14,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstdio>
 #include <memory>
@@ -66,25 +66,19 @@ class BoundClock {
   SteadyClock::time_point start_ = SteadyClock::now();
 };
 
-std::string with_digits(double value, int digits) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.*f", digits, value);
-  return text.data();
-}
-
 std::string bound_table(const DayBound& bound) {
   std::vector<std::vector<std::string>> table = {
       {"price", "cost at least", "down: km", "lost", "up: km", "lost", "bracket, %", ""}};
   for (const BoundPoint& point : bound.points) {
     const auto cells = [](const std::optional<Driving>& driving) {
-      return driving ? std::vector<std::string>{with_digits(driving->km, 0), with_digits(driving->lost, 1)}
+      return driving ? std::vector<std::string>{fixed(driving->km, 0), fixed(driving->lost, 1)}
                      : std::vector<std::string>{"", ""};
     };
     const auto down = cells(point.down);
     const auto up = cells(point.up);
     const auto bracket = point.bracket();
-    table.push_back({with_digits(point.price, 2), with_digits(point.bound, 1), down[0], down[1], up[0], up[1],
-                     bracket ? with_digits(100.0 * *bracket, 1) : "",
+    table.push_back({fixed(point.price, 2), fixed(point.bound, 1), down[0], down[1], up[0], up[1],
+                     bracket ? fixed(100.0 * *bracket, 1) : "",
                      point.tight ? "" : "a bound, not the best: out of time"});
   }
   return aligned(table, 0);

@@ -1,5 +1,6 @@
 #include "tools/evbal/compare_command.hpp"
 
+#include "common/decimal.hpp"
 #include "common/error.hpp"
 #include "experiments/study/statistics/comparison.hpp"
 #include "experiments/study/store/sweep_file.hpp"
@@ -11,7 +12,6 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -19,20 +19,14 @@
 namespace evbal {
 namespace {
 
-std::string number(double value, int digits, bool sign) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), sign ? "%+.*f" : "%.*f", digits, value);
-  return text.data();
-}
-
 /// Relative differences in per cent; where there are none, the plain ones.
 struct Shown {
   double factor;
   const char* unit;
 
-  std::string mean(const Interval& interval) const { return number(factor * interval.mean, 1, true) + unit; }
+  std::string mean(const Interval& interval) const { return fixed(factor * interval.mean, 1, true) + unit; }
   std::string range(const Interval& interval) const {
-    return number(factor * interval.low, 1, true) + " .. " + number(factor * interval.high, 1, true);
+    return fixed(factor * interval.low, 1, true) + " .. " + fixed(factor * interval.high, 1, true);
   }
 };
 
@@ -43,14 +37,14 @@ std::vector<std::string> cells_of(const Compared& row, const Question& question)
   }
   const Shown shown = row.relative ? Shown{100.0, " %"} : Shown{1.0, ""};
   const Interval& interval = row.relative ? row.by_t : row.difference;
-  return {question.at ? number(row.at, 0, false) : "",
-          number(row.value, 1, false),
-          number(row.reference, 1, false),
+  return {question.at ? fixed(row.at, 0) : "",
+          fixed(row.value, 1),
+          fixed(row.reference, 1),
           shown.mean(interval),
           shown.range(interval),
           row.relative ? shown.range(row.by_bootstrap) : "",
-          number(row.p, 4, false),
-          number(row.p_holm, 4, false),
+          fixed(row.p, 4),
+          fixed(row.p_holm, 4),
           std::to_string(row.pairs),
           outside};
 }

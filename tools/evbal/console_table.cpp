@@ -1,5 +1,7 @@
 #include "tools/evbal/console_table.hpp"
 
+#include "common/decimal.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -28,12 +30,6 @@ const std::vector<Line>& lines() {
       {"wall seconds", 0, [](const RunResult& r) { return r.wall_seconds; }},
   };
   return all;
-}
-
-std::string fixed(double value, int digits) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.*f", digits, value);
-  return text.data();
 }
 
 /// How far plans are from those of another engine; `-` if that was not asked.

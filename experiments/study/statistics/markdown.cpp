@@ -1,25 +1,19 @@
 #include "experiments/study/statistics/markdown.hpp"
 
+#include "common/decimal.hpp"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace evbal {
 
-std::string number(double value, int digits, bool sign) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), sign ? "%+.*f" : "%.*f", digits, value);
-  return text.data();
-}
-
 std::string rounded(double value) {
   const double size = std::abs(value);
-  return number(value, size >= 100.0 ? 0 : size >= 10.0 ? 1 : size >= 1.0 ? 2 : 3);
+  return fixed(value, size >= 100.0 ? 0 : size >= 10.0 ? 1 : size >= 1.0 ? 2 : 3);
 }
 
 std::string range(const Interval& interval, double factor, int digits, bool sign) {
-  return number(factor * interval.low, digits, sign) + " .. " + number(factor * interval.high, digits, sign);
+  return fixed(factor * interval.low, digits, sign) + " .. " + fixed(factor * interval.high, digits, sign);
 }
 
 std::string table_row(const Words& cells) {

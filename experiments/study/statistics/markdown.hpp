@@ -12,9 +12,6 @@ namespace evbal {
 /// Texts in a row.
 using Words = std::vector<std::string>;
 
-/// With `digits` after the point; `sign`: with + or - before it.
-std::string number(double value, int digits, bool sign = false);
-
 /// With three digits, or whole.
 std::string rounded(double value);
 

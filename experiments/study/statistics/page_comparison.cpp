@@ -1,5 +1,6 @@
 #include "experiments/study/statistics/page_comparison.hpp"
 
+#include "common/decimal.hpp"
 #include "common/table_text.hpp"
 #include "experiments/study/statistics/comparison.hpp"
 #include "experiments/study/statistics/markdown.hpp"
@@ -71,11 +72,11 @@ Words difference_cells(const Compared& row) {
   const double factor = row.relative ? 100.0 : 1.0;
   return {rounded(row.value),
           rounded(row.reference),
-          number(factor * shown.mean, 1, true) + (row.relative ? " %" : ""),
+          fixed(factor * shown.mean, 1, true) + (row.relative ? " %" : ""),
           range(shown, factor, 1, true),
           row.relative ? range(row.by_bootstrap, factor, 1, true) : "",
-          number(row.p, 4),
-          number(row.p_holm, 4)};
+          fixed(row.p, 4),
+          fixed(row.p_holm, 4)};
 }
 
 /// What the table shows, in words, by one rule for all.
@@ -105,12 +106,12 @@ std::string aims(const CompareSection& section, const std::vector<Answer>& answe
         const Compared& row = answer.row;
         const bool known = row.pairs > 0 && row.relative;
         const bool mean = known && 100.0 * row.by_t.mean <= aim;
-        text += "- Aim " + number(aim, 0, true) + " %, " + answer.who() + ": " +
+        text += "- Aim " + fixed(aim, 0, true) + " %, " + answer.who() + ": " +
                 (!known                         ? "not known"
                  : 100.0 * row.by_t.high <= aim ? "reached, with the whole interval"
                  : mean                         ? "reached in the mean, not with the whole interval"
                                                 : "missed") +
-                (known ? " (" + number(100.0 * row.by_t.mean, 1, true) + " %, " + range(row.by_t, 100.0, 1, true) + ")"
+                (known ? " (" + fixed(100.0 * row.by_t.mean, 1, true) + " %, " + range(row.by_t, 100.0, 1, true) + ")"
                        : "") +
                 ".\n";
       }

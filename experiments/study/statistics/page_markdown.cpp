@@ -1,5 +1,6 @@
 #include "experiments/study/statistics/page_markdown.hpp"
 
+#include "common/decimal.hpp"
 #include "common/table_text.hpp"
 #include "experiments/study/statistics/intervals.hpp"
 #include "experiments/study/statistics/markdown.hpp"
@@ -82,7 +83,7 @@ std::string correlated(const CorrelateSection& section, const std::vector<Finish
         }
       }
       const Interval mean = t_interval(values);
-      cells.push_back(number(mean.mean, 2, true) + " (" + range(mean, 1.0, 2, true) + ")");
+      cells.push_back(fixed(mean.mean, 2, true) + " (" + range(mean, 1.0, 2, true) + ")");
     }
     text += table_row(cells);
   }
