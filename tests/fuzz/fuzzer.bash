@@ -27,6 +27,18 @@ build() {
   clang++ "${flags[@]}" "$work"/*.o -o "$work/fuzz" "$@"
 }
 
+# build_readers SOURCE: of raw records.
+build_readers() {
+  build "$1" common/{clock,error,files,installation,new_folder,plain_text,random,scratch_folder,suggestion,table_text,yaml,yaml_scalar,yaml_writer}.cpp \
+    agents/world/*.cpp tools/records/*.cpp tools/gps/*.cpp tools/fit/transition_{counts,table}.cpp tools/ingest/*.cpp -- \
+    -lmrpt-math -lmrpt-serialization -lmrpt-core -lyaml-cpp -larchive -lshp -lproj -lxxhash
+}
+
+# seed READER BYTES NAME: a sound input, in printf's escapes, for the reader of that number.
+seed() {
+  printf "\\x0$1$2" >"$work/corpus/$1-$3"
+}
+
 # fuzz SECONDS
 fuzz() {
   "$work/fuzz" -max_total_time="$1" -timeout=10 -rss_limit_mb=1024 -max_len=4096 -print_final_stats=1 \

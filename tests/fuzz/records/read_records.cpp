@@ -1,51 +1,20 @@
-// What libFuzzer calls: any bytes as records of each kind. A reader takes them or throws Error; everything else is
-// found.
+// What libFuzzer calls: any bytes as tables of records of each kind.
 
 #include "agents/world/factors.hpp"
 #include "agents/world/regions_file.hpp"
-#include "agents/world/stations_yaml.hpp"
-#include "common/error.hpp"
-#include "common/scratch_folder.hpp"
+#include "tests/fuzz/any_bytes.hpp"
 #include "tools/fit/transition_table.hpp"
 #include "tools/gps/ingest_gps.hpp"
-#include "tools/ingest/ingest_partition.hpp"
-#include "tools/ingest/ingest_stations.hpp"
-#include "tools/ingest/projection.hpp"
+#include "tools/ingest/cell_trips.hpp"
 #include "tools/ingest/sessions.hpp"
 #include "tools/ingest/travel_sample.hpp"
 #include "tools/ingest/trips.hpp"
 #include "tools/ingest/zone_counts.hpp"
 
-#include <shapefil.h>
-
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <fstream>
-#include <iterator>
-
 namespace evbal {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder of this process's own, in memory where there is room.
-const fs::path& folder() {
-  static const ScratchFolder own(fs::exists("/dev/shm") ? "/dev/shm" : "/tmp");
-  return own.path();
-}
-
-fs::path write(const std::string& name, std::string_view text) {
-  fs::create_directories((folder() / name).parent_path());
-  std::ofstream(folder() / name, std::ios::binary) << text;
-  return folder() / name;
-}
-
-const std::vector<Region>& regions() {
-  static const std::vector<Region> all{
-      {"a", {{{37.7, -122.5}, {37.7, -122.4}, {37.8, -122.4}, {37.8, -122.5}}}, {37.75, -122.45}}};
-  return all;
-}
 
 void read_gps(std::string_view bytes) {
   static const fs::path format = write("gps.yaml",
@@ -68,70 +37,6 @@ void read_local_gps(std::string_view bytes) {
   for_each_fix(
       folder() / "local", read_gps_format(format), [](const std::string&, const Fix&, bool) {},
       [](const FixProgress&) {});
-}
-
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-/// A sound shapefile of a square and a null shape: .shp, .shx and .dbf.
-std::array<std::string, 3> sound_shapefile() {
-  const std::string file = (folder() / "sound.shp").string();
-  SHPHandle shapes = SHPCreate(file.c_str(), SHPT_POLYGON);
-  double xs[]{114.0, 114.0, 114.1, 114.1, 114.0};
-  double ys[]{22.0, 22.1, 22.1, 22.0, 22.0};
-  SHPObject* square = SHPCreateSimpleObject(SHPT_POLYGON, 5, xs, ys, nullptr);
-  SHPObject* null = SHPCreateSimpleObject(SHPT_NULL, 0, nullptr, nullptr, nullptr);
-  DBFHandle table = DBFCreate((folder() / "sound.dbf").c_str());
-  DBFAddField(table, "id", FTString, 4, 0);
-  DBFAddField(table, "weight", FTDouble, 8, 2);
-  for (SHPObject* shape : {square, null}) {
-    const int record = SHPWriteObject(shapes, -1, shape);
-    SHPDestroyObject(shape);
-    DBFWriteStringAttribute(table, record, 0, "a");
-    DBFWriteDoubleAttribute(table, record, 1, 2.0);
-  }
-  SHPClose(shapes);
-  DBFClose(table);
-  return {text_of(folder() / "sound.shp"), text_of(folder() / "sound.shx"), text_of(folder() / "sound.dbf")};
-}
-
-/// The bytes say how the file differs from a sound one; what is left of them follows its .dbf.
-void read_shapefile(std::string_view bytes) {
-  static const std::array<std::string, 3> sound = sound_shapefile();
-  const std::array<const char*, 3> names{"zones.shp", "zones.shx", "zones.dbf"};
-  for (std::size_t part = 0; part < names.size(); ++part) {
-    std::string text = sound[part];
-    const std::size_t differing = std::min(bytes.size(), text.size());
-    for (std::size_t i = 0; i < differing; ++i) {
-      text[i] = static_cast<char>(text[i] ^ bytes[i]);
-    }
-    bytes.remove_prefix(differing);
-    write(names[part], text + (part == 2 ? std::string(bytes) : std::string()));
-  }
-  read_zones(folder() / "zones.shp", {"id", "weight"});
-}
-
-void read_geojson(std::string_view bytes) {
-  const auto file = read_bordering_zones(write("zones.geojson", bytes), {"id", "weight"});
-  partition_zones(file, (static_cast<int>(file.zones.size()) + 1) / 2);
-}
-
-void read_stations_table(std::string_view bytes) {
-  YamlMap map(YamlValue::parse("columns: {name: id, lat: lat, lon: lon, points: [n, m]}", "format.yaml"));
-  const auto made = ingest_stations(write("stations.csv", bytes), read_station_format(map), regions(), 500.0);
-  read_stations(write("stations.yaml", stations_yaml(made.stations, regions())), regions());
-}
-
-void read_charge_map(std::string_view bytes) {
-  StationFormat format;
-  format.open_charge_map = true;
-  ingest_stations(write("poi.json", bytes), format, regions(), 500.0);
-}
-
-void read_transition_table(std::string_view bytes) {
-  read_transitions(write("transitions.csv", bytes), regions());
 }
 
 void read_trip_table(std::string_view bytes) {
@@ -162,10 +67,8 @@ void read_session_table(std::string_view bytes) {
   read_sessions(folder() / "sessions", dundee_session_format(), {"Rapid", 1.0, 100.0});
 }
 
-void read_projection(std::string_view bytes) {
-  const Projection projection{std::string(bytes)};
-  projection.place(9.7, 52.3);
-  projection.place(980'000.0, 190'000.0);
+void read_transition_table(std::string_view bytes) {
+  read_transitions(write("transitions.csv", bytes), regions());
 }
 
 const std::vector<Zone>& two_zones() {
@@ -205,8 +108,17 @@ void read_sample_table(std::string_view bytes) {
              [](int from, int to) { return from == to ? 1.0 : 100.0; });
 }
 
-void read_pack_files(std::string_view bytes) {
-  read_regions(write("pack.geojson", bytes));
+void read_cell_table(std::string_view bytes) {
+  OdFormat format;
+  format.table.columns = {"from_lat", "from_lon", "to_lat", "to_lon", "trips"};
+  format.from_lat = 0;
+  format.from_lon = 1;
+  format.to_lat = 2;
+  format.to_lon = 3;
+  format.trips = 4;
+  format.first = {22.0, 114.0};
+  format.step = {0.01, 0.01};
+  read_cell_trips(write("cells.csv", bytes), format);
 }
 
 }  // namespace
@@ -214,17 +126,9 @@ void read_pack_files(std::string_view bytes) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace evbal;
-  static constexpr void (*readers[])(std::string_view){
-      read_gps,        read_local_gps,     read_shapefile,    read_geojson,       read_stations_table,
-      read_trip_table, read_session_table, read_pack_files,   read_trips_by_zone, read_transition_table,
-      read_projection, read_count_table,   read_sample_table, read_charge_map};
-  if (size == 0) {
-    return 0;
-  }
-  const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
-  try {
-    readers[data[0] % std::size(readers)](bytes);
-  } catch (const Error&) {
-  }
+  static constexpr Reader readers[]{read_gps,           read_local_gps,     read_trip_table,
+                                    read_trips_by_zone, read_session_table, read_transition_table,
+                                    read_count_table,   read_sample_table,  read_cell_table};
+  read_any(readers, data, size);
   return 0;
 }
