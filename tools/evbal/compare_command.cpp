@@ -3,6 +3,7 @@
 #include "common/decimal.hpp"
 #include "common/error.hpp"
 #include "experiments/study/statistics/comparison.hpp"
+#include "experiments/study/statistics/front_comparison.hpp"
 #include "experiments/study/store/sweep_file.hpp"
 #include "experiments/study/store/sweep_folder.hpp"
 #include "tools/evbal/bounded_days.hpp"
@@ -15,6 +16,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 namespace evbal {
 namespace {
@@ -61,6 +63,42 @@ std::string table_of(const std::vector<Compared>& rows, const Question& question
   return aligned(table, 4);
 }
 
+std::string per_cent(double share, int digits = 1) {
+  return fixed(100.0 * share, digits, true) + " %";
+}
+
+std::string fronts_table(const std::vector<ComparedFronts>& rows, const FrontQuestion& question) {
+  std::vector<std::vector<std::string>> table = {{"scenario", "faults", "variant", question.metric, question.reference,
+                                                  "of totals", "difference", "95 % by t", "p", "days", "apart",
+                                                  "covered"}};
+  if (question.bound) {
+    table.front().push_back("of the way");
+  }
+  for (const auto& row : rows) {
+    table.push_back({row.scenario, row.faults, row.variant});
+    if (row.days == 0) {
+      table.back().insert(table.back().end(), {"", "", "", "", "", "", "0", std::to_string(row.apart)});
+      continue;
+    }
+    table.back().insert(table.back().end(),
+                        {fixed(row.value, 0), fixed(row.reference, 0),
+                         row.reference > 0.0 ? per_cent(row.value / row.reference - 1.0) : "", per_cent(row.ratio.mean),
+                         Shown{100.0, ""}.range(row.ratio), fixed(row.p, 4), std::to_string(row.days),
+                         std::to_string(row.apart), fixed(100.0 * row.covered, 0) + " %"});
+    if (row.way) {
+      table.back().push_back(fixed(100.0 * *row.way, 0) + " %");
+    }
+  }
+  return aligned(table, 3);
+}
+
+/// The days of a sweep with what is known of their bounds.
+std::vector<FinishedDay> with_bounds(std::vector<FinishedDay> days, const std::filesystem::path& folder) {
+  const std::vector<FinishedDay> bounded = bounded_days(folder / sweep_file_name, days);
+  days.insert(days.end(), bounded.begin(), bounded.end());
+  return days;
+}
+
 /// The days of a sweep; with them the bounds of these, if they are asked for.
 std::vector<FinishedDay> days_for(const Question& question, const std::filesystem::path& folder) {
   std::vector<FinishedDay> days = read_finished(folder / sweep_file_name);
@@ -71,10 +109,23 @@ std::vector<FinishedDay> days_for(const Question& question, const std::filesyste
           "--against bound: is a front of lost passengers against idle km; compare `--metric lost --at "
           "idle_km`");
     }
-    const std::vector<FinishedDay> bounded = bounded_days(folder / sweep_file_name, days);
-    days.insert(days.end(), bounded.begin(), bounded.end());
+    return with_bounds(std::move(days), folder);
   }
   return days;
+}
+
+/// The answer to what is asked of whole fronts.
+std::string fronts_answer(const Question& question, bool with_bound, const std::filesystem::path& folder, bool json) {
+  const FrontQuestion asked{.metric = question.metric,
+                            .reference = question.reference,
+                            .at = question.at.value_or("idle_km"),
+                            .bound = with_bound ? std::optional<std::string>(bound_variant) : std::nullopt};
+  if (with_bound && (asked.metric != "lost" || asked.at != "idle_km")) {
+    throw bad_input("--room: the bound is a front of lost passengers against idle km");
+  }
+  std::vector<FinishedDay> days = read_finished(folder / sweep_file_name);
+  const auto rows = compare_fronts(with_bound ? with_bounds(std::move(days), folder) : days, asked);
+  return json ? compared_fronts_json(rows) : fronts_table(rows, asked);
 }
 
 }  // namespace
@@ -83,6 +134,8 @@ void add_compare_command(CLI::App& app) {
   struct Arguments {
     std::filesystem::path folder;
     Question question;
+    bool fronts = false;
+    bool room = false;
     bool json = false;
   };
   const auto arguments = std::make_shared<Arguments>();
@@ -96,8 +149,17 @@ void add_compare_command(CLI::App& app) {
       ->required();
   command->add_option("--metric", question.metric, "What is compared; `lost` unless given");
   command->add_option("--at", question.at, "Metric at whose equal values, along the reference's front: `idle_km`");
+  CLI::Option* fronts = command->add_flag(
+      "--fronts", arguments->fronts, "Whole fronts, day by day, over the idle km (or `--at`) that both variants cover");
+  command->add_flag("--room", arguments->room, "Also the share of the way from --against to the bound of `evbal bound`")
+      ->needs(fronts);
   command->add_flag("--json", arguments->json, "Print the rows as JSON");
   command->callback([arguments] {
+    if (arguments->fronts) {
+      std::fputs(fronts_answer(arguments->question, arguments->room, arguments->folder, arguments->json).c_str(),
+                 stdout);
+      return;
+    }
     const auto rows = compare(days_for(arguments->question, arguments->folder), arguments->question);
     std::fputs((arguments->json ? compared_json(rows) : table_of(rows, arguments->question)).c_str(), stdout);
   });

@@ -107,6 +107,27 @@ std::string compared_json(const std::vector<Compared>& rows) {
   return document(json);
 }
 
+std::string compared_fronts_json(const std::vector<ComparedFronts>& rows) {
+  Json json = Json::array();
+  for (const auto& row : rows) {
+    Json one = {{"scenario", row.scenario},
+                {"faults", row.faults},
+                {"variant", row.variant},
+                {"days", row.days},
+                {"apart", row.apart}};
+    if (row.days > 0) {
+      one.update({{"covered", row.covered},
+                  {"value", row.value},
+                  {"reference", row.reference},
+                  {"relative", interval_json(row.ratio)},
+                  {"p", row.p},
+                  {"way", row.way ? Json(*row.way) : Json()}});
+    }
+    json.push_back(std::move(one));
+  }
+  return document(json);
+}
+
 std::string comparisons_json(const std::vector<Comparison>& comparisons) {
   Json json = Json::array();
   for (const auto& comparison : comparisons) {

@@ -3,6 +3,7 @@
 #include "experiments/record/run_record.hpp"
 #include "experiments/study/executors/monte_carlo.hpp"
 #include "experiments/study/statistics/comparison.hpp"
+#include "experiments/study/statistics/front_comparison.hpp"
 #include "tools/evbal/diagnosis.hpp"
 #include "tools/evbal/listing.hpp"
 #include "tools/evbal/sourced_scenario.hpp"
@@ -25,6 +26,9 @@ std::string draws_json(const DrawsResult& draws, const std::filesystem::path& fo
 
 /// [{scenario, faults, variant, settings, pairs, outside, at, value, reference, difference, relative, p, p_holm}]
 std::string compared_json(const std::vector<Compared>& rows);
+
+/// [{scenario, faults, variant, days, apart, covered, value, reference, relative, p, way}]
+std::string compared_fronts_json(const std::vector<ComparedFronts>& rows);
 
 /// [{what, cases, largest, allowed, holds, where}]
 std::string comparisons_json(const std::vector<Comparison>& comparisons);

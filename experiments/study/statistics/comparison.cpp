@@ -1,8 +1,8 @@
 #include "experiments/study/statistics/comparison.hpp"
 
 #include "common/error.hpp"
-#include "common/yaml.hpp"
 #include "experiments/study/statistics/front.hpp"
+#include "experiments/study/statistics/known_names.hpp"
 #include "experiments/study/statistics/replication.hpp"
 
 #include <algorithm>
@@ -18,7 +18,6 @@
 namespace evbal {
 namespace {
 
-/// What the days of a comparison share.
 /// A point of a variant on a day and seed beside the reference's; or the mean of several.
 struct Pair {
   double at = 0.0;
@@ -56,31 +55,15 @@ std::map<std::string, std::string> settings_of(const FinishedDay& day) {
 
 using References = std::map<Replication, Reference>;
 
-void check_metric(const std::string& name, const std::vector<FinishedDay>& days) {
-  std::vector<std::string> names;
-  names.reserve(days.front().totals.size());
-  for (const auto& [known, value] : days.front().totals) {
-    names.push_back(known);
-  }
-  if (std::find(names.begin(), names.end(), name) == names.end()) {
-    throw bad_input("`" + name + "` is no metric" + did_you_mean(name, names) + "; see docs/metrics.md");
-  }
-}
-
 References references_of(const std::vector<FinishedDay>& days, const Question& question) {
+  expect_variant(question.reference, days);
   References references;
-  std::set<std::string> variants;
   for (const auto& day : days) {
-    variants.insert(day.variant);
     if (day.variant == question.reference) {
       auto& reference = references[replication_of(day)];
       reference.front.push_back({question.at ? day.totals.at(*question.at) : 0.0, day.totals.at(question.metric)});
       reference.settings = settings_of(day);
     }
-  }
-  if (references.empty()) {
-    const std::vector<std::string> names(variants.begin(), variants.end());
-    throw bad_input("no variant is called `" + question.reference + "`" + did_you_mean(question.reference, names));
   }
   if (!question.at && references.begin()->second.front.size() > 1) {
     throw bad_input("variant `" + question.reference +
@@ -214,8 +197,8 @@ std::vector<Compared> compare_variant(const std::vector<const FinishedDay*>& day
 }  // namespace
 
 std::vector<Compared> compare(const std::vector<FinishedDay>& days, const Question& question) {
-  check_metric(question.metric, days);
-  check_metric(question.at.value_or(question.metric), days);
+  expect_metric(question.metric, days);
+  expect_metric(question.at.value_or(question.metric), days);
   const References references = references_of(days, question);
   using Group = std::tuple<std::string, std::string, std::string>;
   std::vector<Group> groups;

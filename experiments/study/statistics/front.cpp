@@ -6,10 +6,39 @@
 
 namespace evbal {
 
-std::optional<double> value_at(std::vector<FrontPoint> front, double cost) {
+namespace {
+
+void sort_by_cost(std::vector<FrontPoint>& front) {
   std::sort(front.begin(), front.end(), [](const FrontPoint& a, const FrontPoint& b) {
     return std::pair(a.cost, a.value) < std::pair(b.cost, b.value);
   });
+}
+
+/// Whether `middle` lies on or above the line from `left` to `right`.
+bool is_above(const FrontPoint& left, const FrontPoint& middle, const FrontPoint& right) {
+  return (middle.value - left.value) * (right.cost - left.cost) >=
+         (right.value - left.value) * (middle.cost - left.cost);
+}
+
+}  // namespace
+
+std::vector<FrontPoint> lower_hull(std::vector<FrontPoint> front) {
+  sort_by_cost(front);
+  std::vector<FrontPoint> hull;
+  for (const FrontPoint& point : front) {
+    if (!hull.empty() && point.value >= hull.back().value) {
+      continue;
+    }
+    while (hull.size() >= 2 && is_above(hull[hull.size() - 2], hull.back(), point)) {
+      hull.pop_back();
+    }
+    hull.push_back(point);
+  }
+  return hull;
+}
+
+std::optional<double> value_at(std::vector<FrontPoint> front, double cost) {
+  sort_by_cost(front);
   const auto same_cost = [](const FrontPoint& a, const FrontPoint& b) { return a.cost == b.cost; };
   front.erase(std::unique(front.begin(), front.end(), same_cost), front.end());
   const auto above =

@@ -15,4 +15,8 @@ struct FrontPoint {
 /// points with the same cost the lowest counts. Nothing if `cost` lies outside of the front: it says nothing there.
 std::optional<double> value_at(std::vector<FrontPoint> front, double cost);
 
+/// The lower convex hull of the points that no other one betters in cost and value, by cost: what a controller comes to
+/// if it changes between its settings. One point at least, costs rising and values falling.
+std::vector<FrontPoint> lower_hull(std::vector<FrontPoint> front);
+
 }  // namespace evbal
