@@ -122,6 +122,11 @@ TEST(ComparedFronts, SayHowFarItIsToTheBound) {
   ASSERT_EQ(rows.size(), 1);
   ASSERT_TRUE(rows[0].way.has_value());
   EXPECT_NEAR(*rows[0].way, (150.0 - (75.0 - 0.25)) / 150.0, 1e-12);  // of the first day only
+
+  days.pop_back();
+  days.pop_back();  // and now of its first seed only
+  EXPECT_NEAR(compare_fronts(days, {.reference = "ref", .bound = "bound"}).at(0).way.value(), (75.0 - 37.375) / 75.0,
+              1e-12);
 }
 
 TEST(ComparedFronts, ABoundOfSeveralSeedsSpendsWhereItSavesMost) {

@@ -6,11 +6,16 @@
 #include "experiments/bound/bound_file.hpp"
 #include "experiments/record/paired_run.hpp"
 #include "experiments/scenario/scenario.hpp"
+#include "tools/evbal/bounded_days.hpp"
 #include "tools/evbal/runs_folder.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <functional>
 #include <iterator>
+#include <map>
+#include <optional>
+#include <utility>
 
 namespace evbal {
 namespace {
@@ -139,6 +144,39 @@ void add_runs(const std::vector<RecordedRun>& runs, PageContent& content) {
   });
 }
 
+/// The bound of the first days of a sweep, if it is kept for each of them.
+std::optional<SweptBound> swept_bound(const fs::path& file, const std::vector<FinishedDay>& days) {
+  std::vector<FinishedDay> bounded;
+  try {
+    bounded = bounded_days(file, days);
+  } catch (const Error&) {
+    return std::nullopt;  // why there is none is told to those who ask for it by `evbal compare`
+  }
+  const FinishedDay& first = days.front();
+  std::map<std::pair<std::string, std::uint64_t>, std::vector<FrontPoint>> by_day;
+  for (const FinishedDay& day : days) {
+    if (day.scenario == first.scenario && day.faults == first.faults) {
+      by_day[{day.day, day.seed}];
+    }
+  }
+  for (const FinishedDay& corner : bounded) {
+    by_day[{corner.day, corner.seed}].push_back({corner.totals.at("idle_km"), corner.totals.at("lost")});
+  }
+  std::vector<std::vector<FrontPoint>> hulls;
+  for (const auto& [day, corners] : by_day) {
+    if (corners.empty()) {
+      return std::nullopt;
+    }
+    hulls.push_back(lower_hull(corners));
+  }
+  SweptBound bound{first.scenario, first.faults, least_sum(hulls)};
+  for (FrontPoint& corner : bound.corners) {
+    corner.cost /= static_cast<double>(hulls.size());
+    corner.value /= static_cast<double>(hulls.size());
+  }
+  return bound;
+}
+
 SweepContent sweep_content(const fs::path& folder, std::vector<std::string> against) {
   const fs::path file = folder / "sweep.sqlite";
   const auto days = read_finished(file);
@@ -151,7 +189,8 @@ SweepContent sweep_content(const fs::path& folder, std::vector<std::string> agai
           .page = page,
           .days = static_cast<int>(days.size()),
           .points = swept_points(days, read_finished_steps(file, hourly_columns)),
-          .answers = answers(days, against)};
+          .answers = answers(days, against),
+          .bound = swept_bound(file, days)};
 }
 
 }  // namespace

@@ -79,6 +79,12 @@ Json sweep_json(const SweepContent& sweep) {
   for (const auto& answer : sweep.answers) {
     json["answers"].push_back(answer_json(answer));
   }
+  if (sweep.bound) {
+    json["bound"] = {{"scenario", sweep.bound->scenario}, {"faults", sweep.bound->faults}, {"corners", Json::array()}};
+    for (const FrontPoint& corner : sweep.bound->corners) {
+      json["bound"]["corners"].push_back({rounded(corner.cost), rounded(corner.value)});
+    }
+  }
   return json;
 }
 

@@ -1,6 +1,7 @@
 #include "experiments/study/statistics/front.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
 #include <utility>
 
@@ -35,6 +36,25 @@ std::vector<FrontPoint> lower_hull(std::vector<FrontPoint> front) {
     hull.push_back(point);
   }
   return hull;
+}
+
+std::vector<FrontPoint> least_sum(const std::vector<std::vector<FrontPoint>>& hulls) {
+  FrontPoint corner;
+  std::vector<FrontPoint> edges;
+  for (const auto& hull : hulls) {
+    corner.cost += hull.front().cost;
+    corner.value += hull.front().value;
+    for (std::size_t i = 1; i < hull.size(); ++i) {
+      edges.push_back({hull[i].cost - hull[i - 1].cost, hull[i].value - hull[i - 1].value});
+    }
+  }
+  std::sort(edges.begin(), edges.end(),
+            [](const FrontPoint& a, const FrontPoint& b) { return a.value * b.cost < b.value * a.cost; });
+  std::vector<FrontPoint> sum{corner};
+  for (const FrontPoint& edge : edges) {
+    sum.push_back({sum.back().cost + edge.cost, sum.back().value + edge.value});
+  }
+  return sum;
 }
 
 std::optional<double> value_at(std::vector<FrontPoint> front, double cost) {

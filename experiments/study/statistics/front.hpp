@@ -19,4 +19,8 @@ std::optional<double> value_at(std::vector<FrontPoint> front, double cost);
 /// if it changes between its settings. One point at least, costs rising and values falling.
 std::vector<FrontPoint> lower_hull(std::vector<FrontPoint> front);
 
+/// The least that several days come to together for each cost in all, from the lower hull of each, of which there is
+/// one at least: where the next cost saves most, it is spent first.
+std::vector<FrontPoint> least_sum(const std::vector<std::vector<FrontPoint>>& hulls);
+
 }  // namespace evbal

@@ -56,10 +56,10 @@ using Points = std::map<Settings, std::vector<FrontPoint>>;  ///< several of a s
 using Seeds = std::map<std::uint64_t, Points>;
 using Dates = std::map<std::string, Seeds>;
 
-std::vector<std::uint64_t> seeds_of_both(const Seeds& one, const Seeds& other) {
+std::vector<std::uint64_t> seeds_of_all(const Seeds& one, const Seeds& other, const Seeds& third) {
   std::vector<std::uint64_t> seeds;
   for (const auto& [seed, points] : one) {
-    if (other.contains(seed)) {
+    if (other.contains(seed) && third.contains(seed)) {
       seeds.push_back(seed);
     }
   }
@@ -87,50 +87,35 @@ std::vector<FrontPoint> summed(const Seeds& played, const std::vector<std::uint6
   return lower_hull(front);
 }
 
-/// The least that days of several seeds come to together for each cost in all: where the next cost saves most, it is
-/// spent first. Nothing if a seed has no bound.
-std::vector<FrontPoint> least(const Seeds& bounds, const std::vector<std::uint64_t>& seeds) {
-  FrontPoint corner;
-  std::vector<FrontPoint> edges;
-  for (const std::uint64_t seed : seeds) {
-    const auto bound = bounds.find(seed);
-    if (bound == bounds.end()) {
-      return {};
-    }
-    const std::vector<FrontPoint> hull = lower_hull(bound->second.begin()->second);
-    corner.cost += hull.front().cost;
-    corner.value += hull.front().value;
-    for (std::size_t i = 1; i < hull.size(); ++i) {
-      edges.push_back({hull[i].cost - hull[i - 1].cost, hull[i].value - hull[i - 1].value});
-    }
-  }
-  std::sort(edges.begin(), edges.end(),
-            [](const FrontPoint& a, const FrontPoint& b) { return a.value * b.cost < b.value * a.cost; });
-  std::vector<FrontPoint> front{corner};
-  for (const FrontPoint& edge : edges) {
-    front.push_back({front.back().cost + edge.cost, front.back().value + edge.value});
-  }
-  return front;
-}
-
 /// How far it is from a reference to the bound, and how much of that was gone.
 struct Way {
   double gone = 0.0;
   double whole = 0.0;
 };
 
-/// Adds a day's way, if its bound covers the gap. To the right of its last corner a bound stays as it is.
-void add_way(const FrontGap& gap, std::vector<FrontPoint> bound, std::optional<Way>& way) {
-  if (bound.empty() || bound.front().cost > gap.from) {
+/// Adds a day's way, with the seeds that have a bound, if that covers the gap. To the right of its last corner a bound
+/// stays as it is.
+void add_way(const Seeds& variant, const Seeds& reference, const Seeds& bounds, std::optional<Way>& way) {
+  const auto seeds = seeds_of_all(variant, reference, bounds);
+  const auto gap = seeds.empty() ? std::nullopt : front_gap(summed(variant, seeds), summed(reference, seeds));
+  if (!gap) {
     return;
   }
-  if (bound.back().cost < gap.to) {
-    bound.push_back({gap.to, bound.back().value});
+  std::vector<std::vector<FrontPoint>> hulls;
+  for (const std::uint64_t seed : seeds) {
+    hulls.push_back(lower_hull(bounds.at(seed).begin()->second));
   }
-  const double possible = mean_value(bound, corners_of(bound, bound, gap.from, gap.to));
+  std::vector<FrontPoint> bound = least_sum(hulls);
+  if (bound.front().cost > gap->from) {
+    return;
+  }
+  if (bound.back().cost < gap->to) {
+    bound.push_back({gap->to, bound.back().value});
+  }
+  const double possible = mean_value(bound, corners_of(bound, bound, gap->from, gap->to));
   way = way.value_or(Way{});
-  way->gone += gap.reference - gap.value;
-  way->whole += gap.reference - possible;
+  way->gone += gap->reference - gap->value;
+  way->whole += gap->reference - possible;
 }
 
 ComparedFronts compare_variant(ComparedFronts row, const Dates& variant, const Dates& reference, const Dates& bounds) {
@@ -138,7 +123,8 @@ ComparedFronts compare_variant(ComparedFronts row, const Dates& variant, const D
   std::optional<Way> way;
   for (const auto& [date, played] : variant) {
     const auto beside = reference.find(date);
-    const auto seeds = beside == reference.end() ? std::vector<std::uint64_t>() : seeds_of_both(played, beside->second);
+    const auto seeds =
+        beside == reference.end() ? std::vector<std::uint64_t>() : seeds_of_all(played, played, beside->second);
     if (seeds.empty()) {
       continue;
     }
@@ -152,7 +138,7 @@ ComparedFronts compare_variant(ComparedFronts row, const Dates& variant, const D
     row.value += gap->value;
     row.reference += gap->reference;
     if (const auto bound = bounds.find(date); bound != bounds.end()) {
-      add_way(*gap, least(bound->second, seeds), way);
+      add_way(played, beside->second, bound->second, way);
     }
   }
   row.days = static_cast<int>(log_ratios.size());

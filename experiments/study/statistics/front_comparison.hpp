@@ -38,17 +38,18 @@ struct FrontQuestion {
 /// that both variants have, and the day's result is the mean over the costs that both fronts cover; days are the
 /// sample.
 struct ComparedFronts {
-  std::string scenario;         ///< its name
-  std::string faults;           ///< name of the schedule
-  std::string variant;          ///< its name
-  int days = 0;                 ///< on which the fronts have a range in common; all below is of these
-  int apart = 0;                ///< days on which they have none
-  double covered = 0.0;         ///< mean share of the reference's range
-  Interval ratio{};             ///< exp(mean of the days' log_ratio) - 1, with its interval by t
-  double p = 1.0;               ///< of Student's t test of the days' log_ratio
-  double value = 0.0;           ///< sum over days of the mean
-  double reference = 0.0;       ///< the same of the reference; their ratio is the one of totals
-  std::optional<double> way{};  ///< share of the way from the reference to the bound, on the days that have one
+  std::string scenario;    ///< its name
+  std::string faults;      ///< name of the schedule
+  std::string variant;     ///< its name
+  int days = 0;            ///< on which the fronts have a range in common; all below is of these
+  int apart = 0;           ///< days on which they have none
+  double covered = 0.0;    ///< mean share of the reference's range
+  Interval ratio{};        ///< exp(mean of the days' log_ratio) - 1, with its interval by t
+  double p = 1.0;          ///< of Student's t test of the days' log_ratio
+  double value = 0.0;      ///< sum over days of the mean
+  double reference = 0.0;  ///< the same of the reference; their ratio is the one of totals
+  std::optional<double>
+      way{};  ///< share of the way from the reference to the bound, of the days and seeds that have one
 };
 
 /// Every other variant, except the bound, against the reference, in each scenario and schedule of faults. Throws

@@ -53,6 +53,9 @@ TEST(Bound, IsComparedWithASweep) {
                                                "variants: [{controller: greedy}, {controller: none}]\n";
   ASSERT_EQ(line.evbal("sweep sweep.yaml --out swept --quiet").status, 0);
   const std::string compare = "compare swept --against bound --at idle_km";
+  const std::string drawn = "\"bound\":{\"scenario\":\"calm\"";
+  ASSERT_EQ(line.evbal("report swept").status, 0);
+  EXPECT_EQ(text_of(line.path() / "swept/report.html").find(drawn), std::string::npos);
   const Ended before = line.evbal(compare);
   EXPECT_EQ(before.status, 2);
   EXPECT_NE(before.err.find("compute them with `evbal bound`"), std::string::npos) << before.err;
@@ -62,12 +65,39 @@ TEST(Bound, IsComparedWithASweep) {
   EXPECT_NE(compared.out.find("greedy"), std::string::npos) << compared.out;
   EXPECT_NE(compared.out.find("none"), std::string::npos) << compared.out;
   EXPECT_EQ(line.evbal("compare swept --against bound").status, 2);
+  ASSERT_EQ(line.evbal("report swept").status, 0);
+  EXPECT_NE(text_of(line.path() / "swept/report.html").find(drawn), std::string::npos);
   std::ofstream(line.path() / "faulted.yaml") << "schema: 1\nscenario: morning.yaml\nseeds: [1]\ndays: [2024-01-11]\n"
                                                  "variants: [{controller: none}]\n";
   ASSERT_EQ(line.evbal("sweep faulted.yaml --out faulted --quiet").status, 0);
   const Ended faulted = line.evbal("compare faulted --against bound --at idle_km");
   EXPECT_EQ(faulted.status, 2);
   EXPECT_NE(faulted.err.find("drawn anew for each seed"), std::string::npos) << faulted.err;
+}
+
+TEST(Bound, IsTheEndOfTheWayFromOneFrontToAnother) {
+  const CommandLine line;
+  std::ofstream(line.path() / "calm.yaml") << "schema: 1\ncity: toy-5\nday: 2024-01-11\nseed: 1\ntransport: inproc\n"
+                                              "clock: {start: \"07:00\", end: \"10:00\"}\n";
+  std::ofstream(line.path() / "sweep.yaml")
+      << "schema: 1\nscenario: calm.yaml\nseeds: [1]\ndays: [2024-01-11]\n"
+         "variants:\n"
+         "  - {controller: ratio, settings: {balancing.p_ratio: [5, 20, 80]}}\n"
+         "  - {controller: turnover, settings: {balancing.p_shortage: [5, 20, 80]}}\n";
+  ASSERT_EQ(line.evbal("sweep sweep.yaml --out swept --quiet").status, 0);
+  const std::string compare = "compare swept --against ratio --fronts";
+  const Ended fronts = line.evbal(compare);
+  ASSERT_EQ(fronts.status, 0) << fronts.err;
+  EXPECT_NE(fronts.out.find("turnover"), std::string::npos) << fronts.out;
+  EXPECT_EQ(fronts.out.find("of the way"), std::string::npos) << fronts.out;
+  EXPECT_EQ(line.evbal(compare + " --room").status, 2);  // no bound yet
+  EXPECT_EQ(line.evbal("compare swept --against ratio --room").status, 2);
+  EXPECT_EQ(line.evbal(compare + " --room --metric charger_wait_min").status, 2);
+  ASSERT_EQ(line.evbal("bound calm.yaml --prices 2 10 --quiet").status, 0);
+  const Ended room = line.evbal(compare + " --room --json");
+  ASSERT_EQ(room.status, 0) << room.err;
+  EXPECT_NE(room.out.find("\"days\": 1"), std::string::npos) << room.out;
+  EXPECT_EQ(room.out.find("\"way\": null"), std::string::npos) << room.out;
 }
 
 TEST(Bound, IsOneWhenTimeIsUp) {

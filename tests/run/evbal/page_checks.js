@@ -173,7 +173,12 @@ function checkSweep(files) {
     same(mean[i].cells[3].textContent, brief(d3.mean(own, day => day.lost)), variant, price, "lost");
   });
   const front = rowsOf(fileOf(cardOf("Idle km against lost passengers"), "CSV"));
-  same(front.length, 3, "points of the front:");
+  const bound = front.filter(row => row.series === "no controller is below");
+  same(front.length - bound.length, 3, "points of the front:");
+  check(bound.length > 0, "the bound is not drawn");
+  front.filter(row => row.series !== "no controller is below").forEach(point => check(
+    bound.some(corner => +corner["idle km a day"] <= +point["idle km a day"] &&
+      +corner["lost passengers a day"] <= +point["lost passengers a day"]), "the bound is not below", point.name));
   const hours = rowsOf(fileOf(cardOf("Lost passengers by hour"), "CSV")).filter(row => row.series === "ratio");
   const ratio = days.filter(day => day.variant === "ratio");
   check(Math.abs(d3.sum(hours, hour => hour["passengers per hour"]) - d3.mean(ratio, day => day.lost)) < 1e-3,

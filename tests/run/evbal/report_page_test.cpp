@@ -48,8 +48,13 @@ TEST(ReportPage, OpensWithoutNetworkMovesAndShowsTheNumbersOfTheCsv) {
 
 TEST(ReportPage, OfASweepShowsTheNumbersOfTheCsv) {
   const CommandLine line;
+  std::ofstream(line.path() / "calm.yaml") << "schema: 1\ncity: toy-5\nday: 2024-01-11\nseed: 1\ntransport: inproc\n"
+                                              "clock: {start: \"07:00\", end: \"10:00\"}\n";
+  for (const std::string day : {"2024-01-11", "2024-01-12"}) {
+    ASSERT_EQ(line.evbal("bound calm.yaml --prices 2 10 --quiet --day " + day).status, 0);
+  }
   std::ofstream(line.path() / "prices.yaml") << "schema: 1\n"
-                                                "scenario: morning.yaml\n"
+                                                "scenario: calm.yaml\n"
                                                 "days: [2024-01-11, 2024-01-12]\n"
                                                 "seeds: [1]\n"
                                                 "variants:\n"
@@ -62,6 +67,7 @@ TEST(ReportPage, OfASweepShowsTheNumbersOfTheCsv) {
   ASSERT_EQ(ended.status, 0) << ended.err;
   EXPECT_EQ(ended.out, "s/report.html\n");
   const fs::path folder = line.path() / "s";
+  EXPECT_NE(text_of(folder / "report.html").find("\"bound\":{"), std::string::npos);
   EXPECT_EQ(checked(folder / "report.html", "{sweep: {days: " + quoted(folder / "days.csv") + "}}", ""), "all hold");
   EXPECT_EQ(line.evbal("report s --against robust").status, 2);
   EXPECT_EQ(line.evbal("report s s").status, 2);

@@ -82,12 +82,23 @@ function chooser(all, chosen, changed) {
     ...all.map((variant, i) => element("label", "", boxes[i], swatch(styleOf(variant)), variant)));
 }
 
+// What no controller is below, as far as the chart reaches.
+function boundSeries(shown) {
+  const {corners} = report.sweep.bound;
+  const farthest = d3.max(shown, point => point.x);
+  return {label: "no controller is below", style: variants().length, bare: true,
+    points: within([...corners, [farthest, corners.at(-1)[1]]], d3.max(shown, point => point.y), farthest)};
+}
+
 function frontChart(at, y, shown) {
   const series = shown.map(variant => ({
     label: variant, style: styleOf(variant),
     points: atPlace(at).filter(point => point.variant === variant)
       .map(point => ({x: point.means.idle_km, y: point.means[y], name: settingsOf(point)})).sort((a, b) => a.x - b.x),
   }));
+  if (y === "lost" && report.sweep.bound && place(report.sweep.bound) === place(at)) {
+    series.push(boundSeries(series.flatMap(({points}) => points)));
+  }
   return {x: {label: "idle km a day"}, y: {label: lower(metricNames[y]) + " a day", fitted: true}, series};
 }
 
