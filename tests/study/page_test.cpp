@@ -64,6 +64,20 @@ TEST(Page, ComparesAndSaysWhatIsShown) {
       text);
 }
 
+TEST(Page, ComparesFronts) {
+  std::vector<FinishedDay> days = three_days();
+  for (const auto& [day, lost] : {std::pair("d1", 50.0), std::pair("d2", 51.0), std::pair("d3", 49.0)}) {
+    days.push_back(day_of("new", "2", day, 25, lost - 20.0));
+  }
+  const std::string text = page_markdown(read("- {title: One, fronts: {variants: [new], against: [ref]}}\n"), days, "");
+  expect_in("| scenario | faults | variant | against | metric | value | reference | of totals | difference |", text);
+  expect_in("| toy | calm | new | ref | lost | 135 | 270 | -50.0 % | -49.7 % |",
+            text);  // 45.5 of 90.5, from 15 to 20 km
+  expect_in("| 3 | 0 | 50 % |", text);
+  expect_in("| toy | calm | new | ref | lost |  |  |  |  |  |  | 0 | 3 | 0 % |",
+            page("- {title: One, fronts: {variants: [new], against: [ref], metrics: [lost], at: idle_km}}\n"));
+}
+
 TEST(Page, SaysWhenNothingIsShown) {
   std::vector<FinishedDay> days = three_days();
   days.back().totals["lost"] = 400.0;

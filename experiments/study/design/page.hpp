@@ -20,6 +20,14 @@ struct CompareSection {
   std::map<std::string, double> aims;  ///< by metric, in per cent: reached if the difference is as low
 };
 
+/// Whole fronts side by side, day by day, each against each reference.
+struct FrontsSection {
+  std::vector<std::string> variants;  ///< by name
+  std::vector<std::string> against;   ///< variants, by name
+  std::vector<std::string> metrics;   ///< by name
+  std::string at;                     ///< metric that makes a front with each of them
+};
+
 /// Means over days, with intervals by t.
 struct MeansSection {
   std::vector<std::string> variants;  ///< by name
@@ -44,6 +52,7 @@ struct PageSection {
   /// Markdown.
   std::string text;
   std::optional<CompareSection> compare{};      ///< variants against others
+  std::optional<FrontsSection> fronts{};        ///< variants' fronts against those of others
   std::optional<MeansSection> means{};          ///< of metrics
   std::optional<CorrelateSection> correlate{};  ///< metrics with one metric
   std::optional<SettingsSection> settings{};    ///< as tuned

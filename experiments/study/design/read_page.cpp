@@ -51,6 +51,15 @@ CompareSection read_compare(YamlMap& map, const Names& names) {
   return section;
 }
 
+FrontsSection read_fronts(YamlMap& map, const Names& names) {
+  const auto metrics = map.find("metrics");
+  const auto at = map.find("at");
+  return {known_items(map.require("variants"), "variant", names.variants),
+          known_items(map.require("against"), "variant", names.variants),
+          metrics ? known_items(*metrics, "metric", names.metrics) : Words{"lost"},
+          at ? known(*at, "metric", names.metrics) : "idle_km"};
+}
+
 MeansSection read_means(YamlMap& map, const Names& names) {
   return {known_items(map.require("variants"), "variant", names.variants),
           known_items(map.require("metrics"), "metric", names.metrics)};
@@ -88,6 +97,7 @@ PageSection read_section(const YamlValue& value, const Names& names) {
   YamlMap map(value);
   PageSection section{.title = map.require("title").text(), .text = text_of(map)};
   section.compare = table_of(map, "compare", read_compare, names);
+  section.fronts = table_of(map, "fronts", read_fronts, names);
   section.means = table_of(map, "means", read_means, names);
   section.correlate = table_of(map, "correlate", read_correlate, names);
   section.settings = table_of(map, "settings", read_settings, names);

@@ -3,6 +3,7 @@
 #include "common/decimal.hpp"
 #include "common/table_text.hpp"
 #include "experiments/study/statistics/comparison.hpp"
+#include "experiments/study/statistics/front_comparison.hpp"
 #include "experiments/study/statistics/markdown.hpp"
 
 #include <algorithm>
@@ -147,6 +148,36 @@ std::string compared(const CompareSection& section, const std::vector<FinishedDa
     text += table_row(cells);
   }
   return text + "\n" + verdict(answers) + aims(section, answers);
+}
+
+std::string compared(const FrontsSection& section, const std::vector<FinishedDay>& days) {
+  std::string text = header({"scenario", "faults", "variant", "against", "metric", "value", "reference", "of totals",
+                             "difference", "95 % by t", "p", "days", "apart", "covered"},
+                            5);
+  const auto per_cent = [](double share) { return fixed(100.0 * share, 1, true) + " %"; };
+  for (const auto& metric : section.metrics) {
+    for (const auto& reference : section.against) {
+      Words both = section.variants;
+      both.push_back(reference);
+      for (const auto& row : compare_fronts(days_of(days, both), {metric, reference, section.at})) {
+        Words cells = {markdown_cell(row.scenario), markdown_cell(row.faults), row.variant, reference, metric};
+        const Words known = row.days == 0 ? Words(6)
+                                          : Words{rounded(row.value),
+                                                  rounded(row.reference),
+                                                  row.reference > 0.0 ? per_cent(row.value / row.reference - 1.0) : "",
+                                                  per_cent(row.ratio.mean),
+                                                  range(row.ratio, 100.0, 1, true),
+                                                  fixed(row.p, 4)};
+        cells.insert(cells.end(), known.begin(), known.end());
+        for (const int count : {row.days, row.apart}) {
+          cells.push_back(std::to_string(count));
+        }
+        cells.push_back(fixed(100.0 * row.covered, 0) + " %");
+        text += table_row(cells);
+      }
+    }
+  }
+  return text;
 }
 
 }  // namespace evbal

@@ -11,4 +11,7 @@ namespace evbal {
 /// The table of a comparison, what it shows by one rule for all, and which aims it reaches.
 std::string compared(const CompareSection& section, const std::vector<FinishedDay>& days);
 
+/// The table of a comparison of fronts.
+std::string compared(const FrontsSection& section, const std::vector<FinishedDay>& days);
+
 }  // namespace evbal

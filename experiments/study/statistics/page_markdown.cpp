@@ -140,6 +140,7 @@ std::string page_markdown(const Page& page, std::vector<FinishedDay> days, const
   for (const auto& section : page.sections) {
     text += "\n## " + section.title + "\n\n" + section.text + (section.text.empty() ? "" : "\n\n");
     text += section.compare ? compared(*section.compare, days) : "";
+    text += section.fronts ? compared(*section.fronts, days) : "";
     text += section.means ? means(*section.means, days) : "";
     text += section.correlate ? correlated(*section.correlate, days) : "";
     text += section.settings ? settings(*section.settings, days) : "";
