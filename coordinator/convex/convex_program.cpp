@@ -9,14 +9,6 @@
 namespace evbal {
 namespace {
 
-double evaluate(const Expression& expression, const Eigen::VectorXd& x) {
-  double value = expression.constant();
-  for (const auto& [variable, coefficient] : expression.terms()) {
-    value += coefficient * x(variable);
-  }
-  return value;
-}
-
 // Ascending variables, each once, none with coefficient zero.
 std::vector<Expression::Term> merged(std::vector<Expression::Term> terms) {
   std::ranges::stable_sort(terms, {}, &Expression::Term::variable);
@@ -189,7 +181,7 @@ double ConvexProgram::objective(const Eigen::VectorXd& x) const {
 std::vector<CostTerm> ConvexProgram::cost_by_term(const Eigen::VectorXd& x) const {
   std::vector<CostTerm> costs;
   for (const auto& [name, cost, norms] : terms_) {
-    costs.push_back({name, evaluate(cost, x)});
+    costs.push_back({name, value_of(cost, x)});
     for (const int at : norms) {
       const NormTerm& norm = norms_[at];
       costs.back().cost += norm.weight * norm.norm(values_of(norm.variables, x));
@@ -202,7 +194,7 @@ std::vector<CostTerm> ConvexProgram::cost_by_term(const Eigen::VectorXd& x) cons
 }
 
 double ConvexProgram::penalty(const Eigen::VectorXd& x) const {
-  return evaluate(penalty_, x);
+  return value_of(penalty_, x);
 }
 
 Violation ConvexProgram::violation(const Eigen::VectorXd& x) const {
@@ -230,6 +222,14 @@ Violation ConvexProgram::violation(const Eigen::VectorXd& x) const {
     worst.meet(curve.function->around(x(curve.of)).value - x(curve.above), Worst::Place::curve, n);
   }
   return {worst.violation, where(worst, *this), worst.place == Worst::Place::curve ? "" : unit_};
+}
+
+double value_of(const Expression& expression, const Eigen::VectorXd& x) {
+  double value = expression.constant();
+  for (const auto& [variable, coefficient] : expression.terms()) {
+    value += coefficient * x(variable);
+  }
+  return value;
 }
 
 Eigen::VectorXd values_of(const std::vector<int>& variables, const Eigen::VectorXd& x) {

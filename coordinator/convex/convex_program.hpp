@@ -5,6 +5,7 @@
 #include "coordinator/convex/expression.hpp"
 
 #include <limits>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -119,6 +120,10 @@ class ConvexProgram {
   const std::vector<int>& row_start() const { return row_start_; }  ///< rows() + 1
   /// The rows' entries, row after row.
   const std::vector<Expression::Term>& entries() const { return entries_; }
+  /// The entries of one row.
+  std::span<const Expression::Term> row(int row) const {
+    return {entries_.begin() + row_start_[row], entries_.begin() + row_start_[row + 1]};
+  }
   /// Lower sides by row.
   const std::vector<double>& row_low() const { return row_low_; }
   /// Upper sides by row.
@@ -173,6 +178,9 @@ class ConvexProgram {
   std::vector<Term> terms_;
   Expression penalty_;
 };
+
+/// The value of an expression at x.
+double value_of(const Expression& expression, const Eigen::VectorXd& x);
 
 /// The values of `variables` in x.
 Eigen::VectorXd values_of(const std::vector<int>& variables, const Eigen::VectorXd& x);

@@ -5,6 +5,7 @@
 #include <ClpSimplex.hpp>
 
 #include <algorithm>
+#include <span>
 
 namespace evbal {
 namespace {
@@ -24,6 +25,21 @@ Eigen::VectorXd affordable_gradient(const ConvexProgram& program, const NormTerm
   return share * gradient;
 }
 
+// Makes a column basic in place of a row.
+void make_basic(ClpSimplex& clp, int column, int row) {
+  clp.setColumnStatus(column, ClpSimplex::basic);
+  clp.setRowStatus(row, ClpSimplex::atUpperBound);
+}
+
+// Gives a row the price at which the column of `basic` costs nothing, and takes it from the reduced costs.
+void subtract_price(std::vector<double>& reduced, std::span<const Expression::Term> row,
+                    const Expression::Term& basic) {
+  const double price = reduced[static_cast<std::size_t>(basic.variable)] / basic.coefficient;
+  for (const auto& [variable, coefficient] : row) {
+    reduced[static_cast<std::size_t>(variable)] -= price * coefficient;
+  }
+}
+
 }  // namespace
 
 // Columns: the program's, a height for each norm, then each curve's parts. Rows: the program's, one for each curve's
@@ -31,10 +47,12 @@ Eigen::VectorXd affordable_gradient(const ConvexProgram& program, const NormTerm
 LinearRelaxation::LinearRelaxation(const ConvexProgram& program) : program_(program) {
   Eigen::VectorXd x = Eigen::VectorXd::Zero(program.variables());
   curve_above_.assign(program.cost().size(), -1);
+  has_curve_.assign(program.cost().size(), false);
   for (const auto& curve : program.curves()) {
     int& above = curve_above_[static_cast<std::size_t>(curve.above)];
     EVBAL_EXPECT(above < 0, "a variable above one curve at most");
     above = static_cast<int>(curves_.size());
+    has_curve_[static_cast<std::size_t>(curve.of)] = true;
     const double lower = program.lower()[static_cast<std::size_t>(curve.of)];
     const double upper = program.upper()[static_cast<std::size_t>(curve.of)];
     curves_.push_back({&curve, Tangents(curve.function, lower, upper)});
@@ -147,41 +165,76 @@ void LinearRelaxation::keep_prices(const ClpSimplex& clp) {
   }
 }
 
-// A basis that is nearly dual feasible. Basic are the variables without a lower bound (equations define them), the last
-// part of each curve, and each variable with a negative cost that only a row bounds, in place of the last such row.
-// Where a reduced cost still has the wrong sign, the column mostly has two bounds, and the dual method moves it to the
-// other one without a pivot.
+// A basis that is nearly dual feasible. Basic are the variable that each equation defines, the last part of each curve,
+// and, in place of each row that alone holds back variables with a negative reduced cost, the one with the least. Where
+// a reduced cost still has the wrong sign, the column mostly has two bounds, and the dual method moves it to the other
+// one without a pivot.
 void LinearRelaxation::start_without_prices(ClpSimplex& clp) const {
   clp.createStatus();
-  for (int column = 0; column < program_.variables(); ++column) {
-    if (clp.columnLower()[column] == -COIN_DBL_MAX) {
-      clp.setColumnStatus(column, ClpSimplex::basic);
+  std::vector<double> reduced(clp.objective(), clp.objective() + program_.variables());
+  for (std::size_t n = 0; n < curves_.size(); ++n) {
+    const int last_part = curves_[n].first_part + static_cast<int>(curves_[n].pieces.size()) - 1;
+    make_basic(clp, last_part, program_.rows() + static_cast<int>(n));
+    reduced[static_cast<std::size_t>(curves_[n].row->of)] += clp.objective()[last_part];
+  }
+  std::vector<const Expression::Term*> defined(static_cast<std::size_t>(program_.rows()), nullptr);
+  for (int row = 0; row < program_.rows(); ++row) {
+    if (clp.rowLower()[row] == clp.rowUpper()[row]) {
+      defined[static_cast<std::size_t>(row)] = defined_by(clp, row);
+    }
+    if (const auto* term = defined[static_cast<std::size_t>(row)]) {
+      make_basic(clp, term->variable, row);
+    }
+  }
+  for (int row = program_.rows() - 1; row >= 0; --row) {  // what an equation defines stands in later ones
+    if (const auto* term = defined[static_cast<std::size_t>(row)]) {
+      subtract_price(reduced, program_.row(row), *term);
     }
   }
   for (int row = program_.rows() - 1; row >= 0; --row) {
-    if (clp.rowLower()[row] == clp.rowUpper()[row] || holds_back(clp, row)) {
-      clp.setRowStatus(row, ClpSimplex::atUpperBound);
+    if (const auto* term = held_back(clp, row, reduced)) {
+      make_basic(clp, term->variable, row);
+      subtract_price(reduced, program_.row(row), *term);
     }
-  }
-  for (std::size_t n = 0; n < curves_.size(); ++n) {
-    clp.setColumnStatus(curves_[n].row->of, ClpSimplex::basic);
-    clp.setColumnStatus(curves_[n].first_part + static_cast<int>(curves_[n].pieces.size()) - 1, ClpSimplex::basic);
-    clp.setRowStatus(program_.rows() + static_cast<int>(n), ClpSimplex::atUpperBound);
   }
 }
 
-// Whether the row alone bounds a variable with a negative cost that is not basic yet; makes that variable basic.
-bool LinearRelaxation::holds_back(ClpSimplex& clp, int row) const {
-  for (int at = program_.row_start()[static_cast<std::size_t>(row)];
-       at < program_.row_start()[static_cast<std::size_t>(row) + 1]; ++at) {
-    const auto& [column, coefficient] = program_.entries()[static_cast<std::size_t>(at)];
-    if (coefficient > 0.0 && clp.rowUpper()[row] < COIN_DBL_MAX && clp.objective()[column] < 0.0 &&
-        clp.columnUpper()[column] == COIN_DBL_MAX && clp.getColumnStatus(column) != ClpSimplex::basic) {
-      clp.setColumnStatus(column, ClpSimplex::basic);
-      return true;
+// The first column of an equation that has no lower bound, or that a curve is of, and is not basic yet; else the last
+// without an upper bound: what is left for it when the others are at their bounds. Null if there is none.
+const Expression::Term* LinearRelaxation::defined_by(const ClpSimplex& clp, int row) const {
+  const Expression::Term* defined = nullptr;
+  for (const auto& term : program_.row(row)) {
+    const int column = term.variable;
+    if (clp.getColumnStatus(column) == ClpSimplex::basic) {
+      continue;
+    }
+    if (clp.columnLower()[column] == -COIN_DBL_MAX || has_curve_[static_cast<std::size_t>(column)]) {
+      return &term;
+    }
+    defined = clp.columnUpper()[column] == COIN_DBL_MAX ? &term : defined;
+  }
+  return defined;
+}
+
+// The column of the least reduced cost of those that only the row, which is still basic, holds back; null if there is
+// none.
+const Expression::Term* LinearRelaxation::held_back(const ClpSimplex& clp, int row,
+                                                    const std::vector<double>& reduced) const {
+  constexpr double negligible = 1e-9;
+  const Expression::Term* held = nullptr;
+  if (clp.getRowStatus(row) != ClpSimplex::basic || clp.rowUpper()[row] == COIN_DBL_MAX) {
+    return held;
+  }
+  double least = -negligible;
+  for (const auto& term : program_.row(row)) {
+    const double cost = reduced[static_cast<std::size_t>(term.variable)];
+    if (term.coefficient > 0.0 && cost < least && clp.columnUpper()[term.variable] == COIN_DBL_MAX &&
+        clp.getColumnStatus(term.variable) != ClpSimplex::basic) {
+      held = &term;
+      least = cost;
     }
   }
-  return false;
+  return held;
 }
 
 void LinearRelaxation::start_from_prices(ClpSimplex& clp) const {

@@ -61,7 +61,8 @@ class LinearRelaxation {
   void add_columns(LinearProgram& lp);
   double write(LinearProgram& lp, int variable, double coefficient) const;
   void start_without_prices(ClpSimplex& clp) const;
-  bool holds_back(ClpSimplex& clp, int row) const;
+  const Expression::Term* defined_by(const ClpSimplex& clp, int row) const;
+  const Expression::Term* held_back(const ClpSimplex& clp, int row, const std::vector<double>& reduced) const;
   void start_from_prices(ClpSimplex& clp) const;
   void keep_prices(const ClpSimplex& clp);
   Eigen::VectorXd point(const ClpSimplex& clp) const;
@@ -70,6 +71,7 @@ class LinearRelaxation {
   const ConvexProgram& program_;
   std::vector<Curve> curves_;
   std::vector<int> curve_above_;                  // by variable: the curve that it stands above, or -1
+  std::vector<bool> has_curve_;                   // by variable: whether a curve is of it
   std::vector<Eigen::VectorXd> first_gradients_;  // of the norms
   std::vector<NormRow> norm_rows_;
   std::vector<int> basis_;  // Clp's marks of the columns of program and norms, then of the rows
