@@ -104,11 +104,4 @@ double negative_binomial_at_most(double count, double mean, double variance) {
   return std::min(1.0, sum);
 }
 
-DiscreteDistribution mirrored(DiscreteDistribution distribution) {
-  std::ranges::reverse(distribution.values);
-  std::ranges::reverse(distribution.probabilities);
-  std::ranges::transform(distribution.values, distribution.values.begin(), std::negate<>());
-  return distribution;
-}
-
 }  // namespace evbal

@@ -27,7 +27,4 @@ DiscreteDistribution negative_binomial(double mean, double variance);
 /// 1e-9; takes as long as `count` is large.
 double negative_binomial_at_most(double count, double mean, double variance);
 
-/// The distribution of  -r.
-DiscreteDistribution mirrored(DiscreteDistribution distribution);
-
 }  // namespace evbal

@@ -2,13 +2,12 @@
 
 #include "coordinator/balancing/shortage_terms.hpp"
 
-#include <cmath>
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace evbal {
 namespace {
-
-using Expressions = std::vector<Expression>;
 
 Expressions constants(const Eigen::VectorXd& values) {
   return {values.begin(), values.end()};
@@ -18,14 +17,10 @@ bool is_zero(const Expression& expression) {
   return expression.terms().empty() && expression.constant() <= 0.0;
 }
 
-// Vehicles at the start of a step.
-struct Stock {
-  Expressions V, O, L, B;
-};
-
-// Variables of one step that later equations use.
+// What later equations use of one step.
 struct Step {
-  Variables S, Y, u, e;
+  Variables S;
+  Expressions Y, u, e;
 };
 
 // What is sent in one step: from and to each region, and how far in all.
@@ -52,17 +47,17 @@ class Formulator {
   }
 
   Formulation formulate() {
-    Stock stock{constants(data_.state.vacant), constants(data_.state.occupied), constants(data_.state.low_battery),
-                constants(data_.state.plugged)};
+    result_.stock.push_back({constants(data_.state.vacant), constants(data_.state.occupied),
+                             constants(data_.state.low_battery), constants(data_.state.plugged)});
     for (int k = 0; k < tau_; ++k) {
+      const Stock& stock = result_.stock[k];
       Step step;
       step.S = send_vacant(k, stock.V);
       step.Y = send_low_battery(k, stock.L);
-      charge(k, stock, step);
+      charge(k, stock.B, step);
       shortage_.add(k, step.S);
-      utilisation(k, step);
       if (k + 1 < tau_) {
-        stock = next_stock(k, stock, step);
+        result_.stock.push_back(next_stock(k, stock, step));
       }
     }
     worst_case_utilisation();
@@ -70,25 +65,34 @@ class Formulator {
   }
 
  private:
-  // S_i = V_i + sum_j x_ji - sum_j x_ij,    sum_j x_ij <= V_i,    cost: sum w x
+  // S_i = V_i + sum_j x_ji - sum_j x_ij,    sum_j x_ji <= S_i,    cost: sum w x
   Variables send_vacant(int k, const Expressions& V) {
     const Variables S = program_.add_block({"S", k}, N_, -ConvexProgram::infinity);
     const Sent x = send("x", k, vacant_arcs_, V, result_.vacant);
     for (int i = 0; i < N_; ++i) {
       program_.add(S[i] == V[i] + x.in[i] - x.out[i], {"supply", k, i});
-      program_.add(x.out[i] <= V[i], {"sent", k, i});
+      if (!x.out[i].terms().empty()) {
+        program_.add(x.in[i] <= S[i], {"sent", k, i});
+      }
     }
     program_.minimise("km", x.km);
     return S;
   }
 
-  // Y_i = L_i + sum_j y_ji - sum_j y_ij,    sum_j y_ij <= L_i,    cost: beta sum w y
-  Variables send_low_battery(int k, const Expressions& L) {
-    const Variables Y = program_.add_block({"Y", k}, N_, -ConvexProgram::infinity);
+  // Y_i = L_i + sum_j y_ji - sum_j y_ij,    sum_j y_ji <= Y_i,    cost: beta sum w y
+  Expressions send_low_battery(int k, const Expressions& L) {
     const Sent y = send("y", k, low_battery_arcs_, L, result_.low_battery);
+    Expressions Y;
     for (int i = 0; i < N_; ++i) {
-      program_.add(Y[i] == L[i] + y.in[i] - y.out[i], {"low-battery", k, i});
-      program_.add(y.out[i] <= L[i], {"sent to charge", k, i});
+      Y.push_back(L[i] + y.in[i] - y.out[i]);
+      if (station_[i]) {
+        const Variable there = variable_for(Y[i], {"Y", k, i}, {"low-battery", k, i});
+        utilisation(k, i, there);
+        Y[i] = there;
+      }
+      if (!y.out[i].terms().empty()) {
+        program_.add(y.in[i] <= Y[i], {"sent to charge", k, i});
+      }
     }
     program_.minimise("km", p_.beta * y.km);
     return Y;
@@ -112,44 +116,56 @@ class Formulator {
     return sent;
   }
 
-  // u_i <= Y_i,   u_i <= P_i - B_i + e_i + z_i   (u_i = z_i = 0 outside C),      e_i <= B_i,   e_i <= c_low_i
-  // cost: omega sum_i (Y_i - u_i) + pi_e sum_i (c_low_i - e_i), and z above any gain from u
-  void charge(int k, const Stock& stock, Step& step) {
-    constexpr double z_price = 1000.0;
-    const Expressions& B = stock.B;
-    const Variables& Y = step.Y;
-    const Variables u = step.u = program_.add_block({"u", k}, N_);
-    const Variables e = step.e = program_.add_block({"e", k}, N_);
-    const Variables z = program_.add_block({"z", k}, N_);
+  // theta c_hat_i Z_i,    Z_i >= (Y_i + eps)^(-a),    theta = theta_0 / a,    where points work
+  void utilisation(int k, int i, Variable Y) {
+    const double theta = p_.theta_0 / p_.a;
+    const double c_hat = model_.c_hat(i, k);
+    if (theta == 0.0 || data_.points(i, k) <= 0.0 || (c_hat == 0.0 && model_.supply_radius == 0.0)) {
+      return;
+    }
+    const auto power = inverse_power(p_.eps, p_.a);
+    utilised_.push_back({k * N_ + i, program_.minimise_curve("utilisation", theta * c_hat, Y, power, {"Z", k, i})});
+  }
+
+  // cost: omega sum_i (Y_i - u_i) + pi_e sum_i (c_low_i - e_i)
+  void charge(int k, const Expressions& B, Step& step) {
     for (int i = 0; i < N_; ++i) {
-      const double c_low = model_.c_low(i, k);
-      program_.bound(e[i], 0.0, is_zero(B[i]) ? 0.0 : c_low);
-      program_.add(e[i] <= B[i], {"released", k, i});
-      if (station_[i]) {
-        program_.add(u[i] <= Y[i], {"plugged in", k, i});
-        program_.add(u[i] <= data_.points(i, k) - B[i] + e[i] + z[i], {"points", k, i});
-      } else {
-        program_.bound(u[i], 0.0, 0.0);
-        program_.bound(z[i], 0.0, 0.0);
-      }
-      program_.minimise("queue", p_.omega * (Y[i] - u[i]));
-      program_.minimise("release", p_.pi_e * (c_low - e[i]));
-      program_.penalise(z_price * z[i]);
+      const Expression e = release(k, i, B[i]);
+      const Expression u = station_[i] ? plug_in(k, i, step.Y[i], data_.points(i, k) - B[i] + e) : 0.0;
+      program_.minimise("queue", p_.omega * (step.Y[i] - u));
+      program_.minimise("release", p_.pi_e * (model_.c_low(i, k) - e));
+      step.e.push_back(e);
+      step.u.push_back(u);
     }
   }
 
-  // theta c_hat_i Z_i,    Z_i >= (Y_i + eps)^(-a),    theta = theta_0 / a,    where points work
-  void utilisation(int k, const Step& step) {
-    const double theta = p_.theta_0 / p_.a;
-    const auto power = inverse_power(p_.eps, p_.a);
-    for (int i = 0; i < N_; ++i) {
-      const double c_hat = model_.c_hat(i, k);
-      if (theta == 0.0 || data_.points(i, k) <= 0.0 || (c_hat == 0.0 && model_.supply_radius == 0.0)) {
-        continue;
-      }
-      const Variable Z = program_.minimise_curve("utilisation", theta * c_hat, step.Y[i], power, {"Z", k, i});
-      utilised_.push_back({k * N_ + i, Z});
+  // e_i <= B_i,    e_i <= c_low_i
+  Expression release(int k, int i, const Expression& B) {
+    const bool is_known = B.terms().empty();
+    const double c_low = model_.c_low(i, k);
+    const double most = is_known ? std::min(c_low, B.constant()) : c_low;
+    if (most == 0.0) {
+      return 0.0;
     }
+    const Variable e = program_.add_variable({"e", k, i}, 0.0, most);
+    if (!is_known) {
+      program_.add(e <= B, {"released", k, i});
+    }
+    return e;
+  }
+
+  // u_i <= Y_i,    u_i <= P_i - B_i + e_i + z_i,    cost: z above any gain from u
+  Expression plug_in(int k, int i, const Expression& Y, Expression free_points) {
+    constexpr double z_price = 1000.0;
+    if (data_.points(i, k) < data_.state.plugged(i)) {
+      const Variable z = program_.add_variable({"z", k, i});
+      program_.penalise(z_price * z);
+      free_points += z;
+    }
+    const Variable u = program_.add_variable({"u", k, i});
+    program_.add(u <= Y, {"plugged in", k, i});
+    program_.add(u <= free_points, {"points", k, i});
+    return u;
   }
 
   // theta sqrt(g) || Sigma_c^(1/2) Z ||  over the whole horizon
@@ -176,30 +192,30 @@ class Formulator {
     const auto& [Pv, Po, Pl, Qv, Qo] = data_.transitions[k];
     const auto& [S, Y, u, e] = step;
     Stock next;
-    const bool occupied_matter = k + 2 < tau_;  // they come back as vacant one step later
+    const bool come_back = k + 2 < tau_;  // occupied cars, within the horizon, as vacant
     for (int i = 0; i < N_; ++i) {
       Expression V = e[i] + data_.state.arriving_vacant(i, k);
-      Expression O;
       Expression L = Y[i] - u[i] + data_.state.arriving_low_battery(i, k);
+      Expression O;
       for (int j = 0; j < N_; ++j) {
         V.add(Pv(j, i), S[j]).add(Qv(j, i), stock.O[j]);
         L.add(Pl(j, i), S[j]);
-        if (occupied_matter) {
+        if (come_back) {
           O.add(Po(j, i), S[j]).add(Qo(j, i), stock.O[j]);
         }
       }
-      next.V.push_back(variable_for(V, {"V", k + 1, i}));
-      next.L.push_back(variable_for(L, {"L", k + 1, i}));
-      next.O.push_back(occupied_matter ? variable_for(O, {"O", k + 1, i}) : O);
-      next.B.push_back(variable_for(stock.B[i] + u[i] - e[i], {"B", k + 1, i}));
+      next.O.push_back(come_back ? variable_for(O, {"O", k + 1, i}, {"O", k + 1, i}) : O);
+      next.V.push_back(std::move(V));
+      next.L.push_back(std::move(L));
+      next.B.push_back(stock.B[i] + u[i] - e[i]);
     }
     return next;
   }
 
-  // A variable that stands for a long expression, so that each row stays short.
-  Expression variable_for(const Expression& expression, const Name& name) {
+  // A variable that stands for an expression which is long, or used often; `row` is their equation.
+  Variable variable_for(const Expression& expression, const Name& name, const Name& row) {
     const Variable variable = program_.add_variable(name, -ConvexProgram::infinity);
-    program_.add(variable == expression, name);
+    program_.add(variable == expression, row);
     return variable;
   }
 

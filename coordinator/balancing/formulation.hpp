@@ -31,19 +31,25 @@
 //   constraint, where x, y, u, e, z >= 0                   row              written by         paper
 //
 //   S_i = V_i + sum_j x_ji - sum_j x_ij                    "supply"         send_vacant        [trans]
-//   sum_j x_ij <= V_i                                      "sent"           send_vacant
+//   sum_j x_ji <= S_i,  that is  sum_j x_ij <= V_i         "sent"           send_vacant
 //   Y_i = L_i + sum_j y_ji - sum_j y_ij                    "low-battery"    send_low_battery   [quality_charging_one]
-//   sum_j y_ij <= L_i                                      "sent to charge" send_low_battery
-//   u_i <= Y_i                                             "plugged in"     charge
-//   u_i <= P_i - B_i + e_i + z_i                           "points"         charge
-//   u_i = z_i = 0  outside C                               bounds           charge
-//   e_i <= B_i                                             "released"       charge
-//   e_i <= c_low_i                                         bound            charge
-//   V+_i = sum_j Pv_ji S_j + sum_j Qv_ji O_j + e_i + aV_i  "V"              next_stock         [trans]
+//   sum_j y_ji <= Y_i,  that is  sum_j y_ij <= L_i         "sent to charge" send_low_battery
+//   u_i <= Y_i                                             "plugged in"     plug_in
+//   u_i <= P_i - B_i + e_i + z_i                           "points"         plug_in
+//   e_i <= B_i                                             "released"       release
+//   e_i <= c_low_i                                         bound            release
+//   V+_i = sum_j Pv_ji S_j + sum_j Qv_ji O_j + e_i + aV_i  -                next_stock         [trans]
 //   O+_i = sum_j Po_ji S_j + sum_j Qo_ji O_j               "O"              next_stock         [trans]
-//   L+_i = Y_i - u_i + sum_j Pl_ji S_j + aL_i              "L"              next_stock         [con_charing]
-//   B+_i = B_i + u_i - e_i                                 "B"              next_stock
+//   L+_i = Y_i - u_i + sum_j Pl_ji S_j + aL_i              -                next_stock         [con_charing]
+//   B+_i = B_i + u_i - e_i                                 -                next_stock
 //   Z_i >= (Y_i + eps)^(-a)                                curve of "Z"     utilisation        [thm1]
+//   S_i = the sum of parts of its own price (hinges.hpp)   "shortage"       shortage_terms.cpp [quality_region]
+//
+//   A solver's time grows with the rows. So what stands in one row only, or is short, has no variable: V, L, B, and Y
+//   outside C, where nobody is sent to charge. Nor has what is zero: x and y from where there is no car, u and z
+//   outside C, e where no car is plugged. z_i has one in a step in which P_i is less than B_i of the first step:
+//   elsewhere the plugged cars have points. O of the last step leads to nothing and is left out. In the first step
+//   e_i <= B_i is a bound, since B_i is a number.
 //
 //   Arcs (arcs.hpp, [bound]): x_ij where w_ij < m1, y_ij where w_ij < m2 and j in C, i != j; whatever m1 and m2, those
 //   to and from the nearest region and to the nearest station. aV, aL: cars without passengers that were under way and
@@ -57,7 +63,7 @@
 //   p_s E[(r_i - h S_i)_+]                                 "shortage"       shortage_terms.cpp [quality_region]
 //   p_o E[(l S_i - r_i)_+]                                 "surplus"        shortage_terms.cpp [quality_region]
 //   theta sup E[c_i Z_i],  theta = theta_0 / a             "utilisation"    utilisation        [quality_charging_one]
-//   1000 z_i                                               "penalty"        charge
+//   1000 z_i                                               "penalty"        plug_in
 //
 //   The band l <= r_i / S_i <= h of [quality_region, quality_equ], h, l = rho (1 +- eta), is priced and no constraint,
 //   so that every demand has a plan; rho is the city's predicted demand per vacant car without dispatch. Which law E
@@ -78,11 +84,23 @@ struct ArcFlow {
   Variable amount;  ///< vehicles sent on it
 };
 
+/// A quantity of every region.
+using Expressions = std::vector<Expression>;
+
+/// The vehicles at the start of a step.
+struct Stock {
+  Expressions V;  ///< vacant
+  Expressions O;  ///< occupied, by destination; left out in the last of several steps
+  Expressions L;  ///< low-battery
+  Expressions B;  ///< plugged
+};
+
 /// The balancing problem of one controller as a convex program, and where its decisions stand in it.
 struct Formulation {
   ConvexProgram program{"vehicles"};              ///< the problem
   std::vector<std::vector<ArcFlow>> vacant;       ///< x, per step
   std::vector<std::vector<ArcFlow>> low_battery;  ///< y, per step
+  std::vector<Stock> stock;                       ///< V, O, L, B, per step
 };
 
 /// Writes down the problem above (docs/model.md, section 2). The horizon is the number of columns of `data.points`; the

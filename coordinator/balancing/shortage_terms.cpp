@@ -1,10 +1,25 @@
 #include "coordinator/balancing/shortage_terms.hpp"
 
+#include "coordinator/balancing/hinges.hpp"
 #include "coordinator/balancing/worst_case.hpp"
 
-#include <algorithm>
+#include <vector>
 
 namespace evbal {
+namespace {
+
+// E[max(0, price (factor S - r))]: a hinge for each value of r.
+void add_expected_hinges(std::vector<Hinge>& hinges, const char* term, double price, const DiscreteDistribution& r,
+                         double factor) {
+  if (price == 0.0 || factor == 0.0) {
+    return;
+  }
+  for (std::size_t m = 0; m < r.values.size(); ++m) {
+    hinges.push_back({term, price * factor * r.probabilities[m], r.values[m] / factor});
+  }
+}
+
+}  // namespace
 
 ShortageTerms::ShortageTerms(const BalancingParameters& parameters, const PlanningData& data,
                              const FormulationOptions& options, const UncertaintyModel& model, ConvexProgram& program)
@@ -42,8 +57,10 @@ double ShortageTerms::l(int k) const {
 void ShortageTerms::band(int k, const Variables& S) {
   for (int i = 0; i < S.size(); ++i) {
     const int entry = k * S.size() + i;
-    expected_shortage({"shortage", k, i}, p_.p_shortage, model_.shortage[entry], h(k) * S[i]);
-    expected_shortage({"surplus", k, i}, p_.p_surplus, mirrored(model_.surplus[entry]), -l(k) * S[i]);
+    std::vector<Hinge> hinges;
+    add_expected_hinges(hinges, "shortage", -p_.p_shortage, model_.shortage[entry], h(k));
+    add_expected_hinges(hinges, "surplus", p_.p_surplus, model_.surplus[entry], l(k));
+    minimise_hinges(program_, S[i], hinges, {"shortage", k, i});
   }
 }
 
@@ -72,8 +89,12 @@ void ShortageTerms::ratio(int k, const Variables& S) {
 // p_s E[max(0, r_i - S_i - phi (1 - pl_i) A_i)]
 void ShortageTerms::turnover(int k, const Variables& S) {
   for (int i = 0; i < S.size(); ++i) {
-    const int entry = k * S.size() + i;
-    expected_shortage({"shortage", k, i}, p_.p_shortage, model_.shortage[entry], S[i] + model_.serving_again(i, k));
+    std::vector<Hinge> hinges;
+    add_expected_hinges(hinges, "shortage", -p_.p_shortage, model_.shortage[k * S.size() + i], 1.0);
+    for (Hinge& hinge : hinges) {
+      hinge.bend -= model_.serving_again(i, k);
+    }
+    minimise_hinges(program_, S[i], hinges, {"shortage", k, i});
   }
 }
 
@@ -82,28 +103,6 @@ void ShortageTerms::curve(const Name& name, double price, Variable of, const Con
   if (price > 0.0) {
     program_.minimise_curve(name.what, price, of, function, name);
   }
-}
-
-// price E[max(0, r - s)]  =  price min sum_m P(r >= v_m) part_m    over    sum_m part_m >= v_M - s,
-// part_m <= v_m - v_(m-1):  what is missing, from the part that is least likely to be missed.
-void ShortageTerms::expected_shortage(const Name& name, double price, const DiscreteDistribution& law,
-                                      const Expression& s) {
-  if (price == 0.0) {
-    return;
-  }
-  const auto& v = law.values;
-  const Variables parts = program_.add_block(name, static_cast<int>(v.size()));
-  Expression missing;
-  Expression cost;
-  double probability = 1.0;
-  for (int m = 0; m < parts.size(); ++m) {
-    missing += parts[m];
-    cost.add(price * probability, parts[m]);
-    program_.bound(parts[m], 0.0, m == 0 ? ConvexProgram::infinity : v[m] - v[m - 1]);
-    probability = std::max(0.0, probability - law.probabilities[m]);
-  }
-  program_.minimise(name.what, cost);
-  program_.add(v.back() - s <= missing, name);
 }
 
 }  // namespace evbal

@@ -25,7 +25,6 @@ class ShortageTerms {
   void ratio(int k, const Variables& S);
   void turnover(int k, const Variables& S);
   void curve(const Name& name, double price, Variable of, const ConvexFunctionPtr& function);
-  void expected_shortage(const Name& name, double price, const DiscreteDistribution& law, const Expression& s);
 
   const BalancingParameters& p_;
   const PlanningData& data_;

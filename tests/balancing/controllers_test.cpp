@@ -13,7 +13,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <set>
 
 namespace evbal {
 namespace {
@@ -238,9 +237,10 @@ RC_GTEST_PROP(Controllers, NeverSendMoreThanThereIsAndLoseNobody, ()) {
 
   // V+O+L+B at the second step is the fleet and what came off the road.
   double second = 0.0;
-  for (const auto& block : formulation.program.blocks()) {
-    if (block.name.step == 1 && std::set<std::string>{"V", "O", "L", "B"}.contains(block.name.what)) {
-      second += solution.x.segment(block.first, block.size).sum();
+  const auto& [V, O, L, B] = formulation.stock[1];
+  for (const auto* expressions : {&V, &O, &L, &B}) {
+    for (const auto& expression : *expressions) {
+      second += value_of(expression, solution.x);
     }
   }
   const auto& s = data.state;
