@@ -14,13 +14,14 @@ namespace evbal {
 PlanFunction optimum(const FormulationOptions& options) {
   return [options](const BalancingParameters& parameters, const PlanningData& data, const EngineSettings& engine) {
     const Formulation formulation = formulate(parameters, data, options);
-    const Solution solution = solve(formulation.program, engine);
+    const Solution solution = solve(formulation.program, engine, data.start);
     if (!solution.certificate.optimal()) {
       return BalancingResult{.dispatch = {}, .certificate = solution.certificate, .cost = {}};
     }
     return BalancingResult{.dispatch = dispatch_at(formulation, solution.x),
                            .certificate = solution.certificate,
-                           .cost = formulation.program.cost_by_term(solution.x)};
+                           .cost = formulation.program.cost_by_term(solution.x),
+                           .start = solution.start};
   };
 }
 

@@ -3,6 +3,7 @@
 #include "common/eigen.hpp"
 #include "coordinator/ambiguity/moment_set.hpp"
 #include "coordinator/convex/certificate.hpp"
+#include "coordinator/convex/start.hpp"
 #include "coordinator/forecast/count_variance.hpp"
 
 #include <string>
@@ -78,6 +79,7 @@ struct PlanningData {
   double step_minutes = 30.0;            ///< Delta
   double mean_session_minutes = 45.0;    ///< caps J_E's c_hat at P Delta / mean session
   Eigen::MatrixXd minutes;               ///< N x N travel time (greedy only)
+  Start start;                           ///< BalancingResult::start of the last plan; empty: the engine starts afresh
 };
 
 /// A planned flow of vehicles.
@@ -101,6 +103,7 @@ struct BalancingResult {
   /// "shortage", "surplus", "utilisation", "penalty". They sum to certificate.objective but for rounding; none if
   /// nothing was solved.
   std::vector<CostTerm> cost;
+  Start start = {};  ///< from where the engine may solve the next plan: PlanningData::start
 };
 
 }  // namespace evbal

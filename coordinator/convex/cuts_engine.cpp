@@ -18,8 +18,8 @@ Solution failure(int iteration, const std::string& why_not) {
 
 }  // namespace
 
-Solution solve_with_cuts(const ConvexProgram& program, const EngineSettings& settings) {
-  LinearRelaxation relaxation(program);
+Solution solve_with_cuts(const ConvexProgram& program, const EngineSettings& settings, const Start& start) {
+  LinearRelaxation relaxation(program, start);
   Solution best{{}, refusal("no linear program was allowed", SolveStatus::iteration_limit)};
   double objective = ConvexProgram::infinity;
   double lower_bound = -ConvexProgram::infinity;
@@ -40,6 +40,7 @@ Solution solve_with_cuts(const ConvexProgram& program, const EngineSettings& set
     }
     best.certificate = certify(program, best.x, lower_bound);
     best.certificate.iterations = iteration;
+    best.start = relaxation.start();
     if (best.certificate.gap <= optimality_tolerance) {
       break;
     }

@@ -8,9 +8,9 @@ namespace evbal {
 /// than the last. Lifted onto its curves, every such optimum is also a point of the program, so the method stops on a
 /// certified gap. One iteration is one linear program, solved from the prices of the last; a plan takes about three.
 ///
-/// Every solve starts afresh, so that a plan depends on nothing but its own data, in a replay too. Nothing is lost by
-/// that: the first linear program takes nearly all the time whatever tangents it starts with, and tangents kept from
-/// the last plan only add columns.
-Solution solve_with_cuts(const ConvexProgram& program, const EngineSettings& settings);
+/// The first linear program takes nearly all the time, and less if it starts where the solve of a similar program
+/// ended. That is a value, and there is no other state: the same program and start have the same solution, in a replay
+/// too.
+Solution solve_with_cuts(const ConvexProgram& program, const EngineSettings& settings, const Start& start = {});
 
 }  // namespace evbal

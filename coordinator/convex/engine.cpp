@@ -13,10 +13,14 @@ namespace {
 
 struct NamedEngine {
   const char* name;
-  Solution (*solve)(const ConvexProgram&, const EngineSettings&);
+  Solution (*solve)(const ConvexProgram&, const EngineSettings&, const Start&);
 };
 
-constexpr std::array engines = {NamedEngine{"ipopt", solve_with_ipopt}, NamedEngine{"cuts", solve_with_cuts}};
+Solution afresh_with_ipopt(const ConvexProgram& program, const EngineSettings& settings, const Start& /*start*/) {
+  return solve_with_ipopt(program, settings);
+}
+
+constexpr std::array engines = {NamedEngine{"ipopt", afresh_with_ipopt}, NamedEngine{"cuts", solve_with_cuts}};
 
 // Why no engine may be given this program; empty if any may.
 std::string unfit(const ConvexProgram& program) {
@@ -39,7 +43,7 @@ std::string unfit(const ConvexProgram& program) {
 
 }  // namespace
 
-Solution solve(const ConvexProgram& program, const EngineSettings& settings) {
+Solution solve(const ConvexProgram& program, const EngineSettings& settings, const Start& start) {
   if (settings.own) {
     return settings.own(program, settings);
   }
@@ -48,7 +52,7 @@ Solution solve(const ConvexProgram& program, const EngineSettings& settings) {
   if (const std::string why_not = unfit(program); !why_not.empty()) {
     return {{}, refusal(why_not, SolveStatus::refused)};
   }
-  return engine->solve(program, settings);
+  return engine->solve(program, settings, start);
 }
 
 std::vector<std::string> engine_names() {

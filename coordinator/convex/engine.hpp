@@ -3,6 +3,7 @@
 #include "common/eigen.hpp"
 #include "coordinator/convex/certificate.hpp"
 #include "coordinator/convex/convex_program.hpp"
+#include "coordinator/convex/start.hpp"
 
 #include <functional>
 #include <string>
@@ -16,6 +17,7 @@ struct EngineSettings;
 struct Solution {
   Eigen::VectorXd x;        ///< within its bounds; empty if the engine failed
   Certificate certificate;  ///< whether it is an optimum
+  Start start = {};         ///< from where `cuts` may solve a similar program; empty if another engine solved
 };
 
 /// Solves a program, or says in the certificate why not.
@@ -35,7 +37,10 @@ struct EngineSettings {
 /// `settings.name` is one of engine_names(). `cuts` may solve in several threads, a program in each. `ipopt` may not:
 /// its linear solver (MUMPS) keeps its state in globals, so that a second solve that starts meanwhile ends the process;
 /// solve in processes of their own instead.
-Solution solve(const ConvexProgram& program, const EngineSettings& settings);
+///
+/// `cuts` starts where the solve of a similar program ended, Solution::start, or afresh if that is empty; the other
+/// engines have no use for it.
+Solution solve(const ConvexProgram& program, const EngineSettings& settings, const Start& start = {});
 
 /// The engines that there are.
 std::vector<std::string> engine_names();

@@ -5,7 +5,8 @@
 #include <ClpSimplex.hpp>
 
 #include <algorithm>
-#include <span>
+#include <memory>
+#include <utility>
 
 namespace evbal {
 namespace {
@@ -25,29 +26,16 @@ Eigen::VectorXd affordable_gradient(const ConvexProgram& program, const NormTerm
   return share * gradient;
 }
 
-// Makes a column basic in place of a row.
-void make_basic(ClpSimplex& clp, int column, int row) {
-  clp.setColumnStatus(column, ClpSimplex::basic);
-  clp.setRowStatus(row, ClpSimplex::atUpperBound);
-}
-
-// Gives a row the price at which the column of `basic` costs nothing, and takes it from the reduced costs.
-void subtract_price(std::vector<double>& reduced, std::span<const Expression::Term> row,
-                    const Expression::Term& basic) {
-  const double price = reduced[static_cast<std::size_t>(basic.variable)] / basic.coefficient;
-  for (const auto& [variable, coefficient] : row) {
-    reduced[static_cast<std::size_t>(variable)] -= price * coefficient;
-  }
-}
-
 }  // namespace
 
 // Columns: the program's, a height for each norm, then each curve's parts. Rows: the program's, one for each curve's
 // argument, then the norms' further tangents. So all but the parts keep their place from solve to solve.
-LinearRelaxation::LinearRelaxation(const ConvexProgram& program) : program_(program) {
+LinearRelaxation::LinearRelaxation(const ConvexProgram& program, Start start)
+    : program_(program), start_(std::move(start)) {
   Eigen::VectorXd x = Eigen::VectorXd::Zero(program.variables());
   curve_above_.assign(program.cost().size(), -1);
   has_curve_.assign(program.cost().size(), false);
+  name_columns_and_rows();
   for (const auto& curve : program.curves()) {
     int& above = curve_above_[static_cast<std::size_t>(curve.above)];
     EVBAL_EXPECT(above < 0, "a variable above one curve at most");
@@ -55,8 +43,16 @@ LinearRelaxation::LinearRelaxation(const ConvexProgram& program) : program_(prog
     has_curve_[static_cast<std::size_t>(curve.of)] = true;
     const double lower = program.lower()[static_cast<std::size_t>(curve.of)];
     const double upper = program.upper()[static_cast<std::size_t>(curve.of)];
-    curves_.push_back({&curve, Tangents(curve.function, lower, upper)});
-    x(curve.above) = curve.function->around(std::min(lower + 1.0, upper)).value;
+    auto& tangents = curves_.emplace_back(Curve{&curve, Tangents(curve.function, lower, upper)}).tangents;
+    double at = std::min(lower + 1.0, upper);
+    if (const CurveStart* known = start_of(curve)) {
+      at = std::clamp(known->at, lower, upper);
+      tangents.add_around(known->slope);
+      for (const double touch : known->basic) {
+        tangents.add(std::clamp(touch, lower, upper));
+      }
+    }
+    x(curve.above) = curve.function->around(at).value;
   }
   for (const auto& norm : program.norms()) {
     first_gradients_.push_back(affordable_gradient(program, norm, x));
@@ -133,127 +129,17 @@ LinearRelaxation::Outcome LinearRelaxation::solve() {
   if (const std::string why_not = lp.unfit(); !why_not.empty()) {
     return {.why_not = why_not, .lower_bound = -infinity, .x = {}};
   }
-  const auto clp = lp.load();
-  basis_.empty() ? start_without_prices(*clp) : start_from_prices(*clp);
-  clp->dual();
+  std::shared_ptr<ClpSimplex> clp = start_.empty() ? nullptr : solved_from_prices(lp);
+  if (clp == nullptr) {
+    clp = lp.load();
+    start_without_prices(*clp);
+    clp->dual();
+  }
   if (!clp->isProvenOptimal()) {
     return {.why_not = "Clp finds no optimum", .lower_bound = -infinity, .x = {}};
   }
-  keep_prices(*clp);
+  start_ = end_of(*clp);
   return {.why_not = "", .lower_bound = lp.lower_bound(*clp), .x = point(*clp)};
-}
-
-void LinearRelaxation::keep_prices(const ClpSimplex& clp) {
-  basis_.clear();
-  for (int column = 0; column < first_part(); ++column) {
-    basis_.push_back(clp.getColumnStatus(column));
-  }
-  for (int row = 0; row < clp.numberRows(); ++row) {
-    basis_.push_back(clp.getRowStatus(row));
-  }
-  for (std::size_t n = 0; n < curves_.size(); ++n) {
-    auto& curve = curves_[n];
-    const double price_of_value = clp.dualColumnSolution()[curve.row->above];
-    const double price_of_argument = clp.dualRowSolution()[program_.rows() + static_cast<int>(n)];
-    curve.slope = price_of_value > 0.0 ? -price_of_argument / price_of_value : -infinity;
-    curve.basic.clear();
-    for (std::size_t m = 0; m < curve.pieces.size(); ++m) {
-      if (clp.getColumnStatus(curve.first_part + static_cast<int>(m)) == ClpSimplex::basic) {
-        curve.basic.push_back(curve.pieces[m].at);
-      }
-    }
-  }
-}
-
-// A basis that is nearly dual feasible. Basic are the variable that each equation defines, the last part of each curve,
-// and, in place of each row that alone holds back variables with a negative reduced cost, the one with the least. Where
-// a reduced cost still has the wrong sign, the column mostly has two bounds, and the dual method moves it to the other
-// one without a pivot.
-void LinearRelaxation::start_without_prices(ClpSimplex& clp) const {
-  clp.createStatus();
-  std::vector<double> reduced(clp.objective(), clp.objective() + program_.variables());
-  for (std::size_t n = 0; n < curves_.size(); ++n) {
-    const int last_part = curves_[n].first_part + static_cast<int>(curves_[n].pieces.size()) - 1;
-    make_basic(clp, last_part, program_.rows() + static_cast<int>(n));
-    reduced[static_cast<std::size_t>(curves_[n].row->of)] += clp.objective()[last_part];
-  }
-  std::vector<const Expression::Term*> defined(static_cast<std::size_t>(program_.rows()), nullptr);
-  for (int row = 0; row < program_.rows(); ++row) {
-    if (clp.rowLower()[row] == clp.rowUpper()[row]) {
-      defined[static_cast<std::size_t>(row)] = defined_by(clp, row);
-    }
-    if (const auto* term = defined[static_cast<std::size_t>(row)]) {
-      make_basic(clp, term->variable, row);
-    }
-  }
-  for (int row = program_.rows() - 1; row >= 0; --row) {  // what an equation defines stands in later ones
-    if (const auto* term = defined[static_cast<std::size_t>(row)]) {
-      subtract_price(reduced, program_.row(row), *term);
-    }
-  }
-  for (int row = program_.rows() - 1; row >= 0; --row) {
-    if (const auto* term = held_back(clp, row, reduced)) {
-      make_basic(clp, term->variable, row);
-      subtract_price(reduced, program_.row(row), *term);
-    }
-  }
-}
-
-// The first column of an equation that has no lower bound, or that a curve is of, and is not basic yet; else the last
-// without an upper bound: what is left for it when the others are at their bounds. Null if there is none.
-const Expression::Term* LinearRelaxation::defined_by(const ClpSimplex& clp, int row) const {
-  const Expression::Term* defined = nullptr;
-  for (const auto& term : program_.row(row)) {
-    const int column = term.variable;
-    if (clp.getColumnStatus(column) == ClpSimplex::basic) {
-      continue;
-    }
-    if (clp.columnLower()[column] == -COIN_DBL_MAX || has_curve_[static_cast<std::size_t>(column)]) {
-      return &term;
-    }
-    defined = clp.columnUpper()[column] == COIN_DBL_MAX ? &term : defined;
-  }
-  return defined;
-}
-
-// The column of the least reduced cost of those that only the row, which is still basic, holds back; null if there is
-// none.
-const Expression::Term* LinearRelaxation::held_back(const ClpSimplex& clp, int row,
-                                                    const std::vector<double>& reduced) const {
-  constexpr double negligible = 1e-9;
-  const Expression::Term* held = nullptr;
-  if (clp.getRowStatus(row) != ClpSimplex::basic || clp.rowUpper()[row] == COIN_DBL_MAX) {
-    return held;
-  }
-  double least = -negligible;
-  for (const auto& term : program_.row(row)) {
-    const double cost = reduced[static_cast<std::size_t>(term.variable)];
-    if (term.coefficient > 0.0 && cost < least && clp.columnUpper()[term.variable] == COIN_DBL_MAX &&
-        clp.getColumnStatus(term.variable) != ClpSimplex::basic) {
-      held = &term;
-      least = cost;
-    }
-  }
-  return held;
-}
-
-void LinearRelaxation::start_from_prices(ClpSimplex& clp) const {
-  clp.createStatus();
-  const int columns = first_part();
-  for (int i = 0; i < std::ssize(basis_); ++i) {
-    const auto status = static_cast<ClpSimplex::Status>(basis_[static_cast<std::size_t>(i)]);
-    i < columns ? clp.setColumnStatus(i, status) : clp.setRowStatus(i - columns, status);
-  }
-  for (const auto& curve : curves_) {
-    for (std::size_t m = 0; m < curve.pieces.size(); ++m) {
-      const auto& piece = curve.pieces[m];
-      const bool last = m + 1 == curve.pieces.size();
-      const auto status = std::ranges::find(curve.basic, piece.at) != curve.basic.end() ? ClpSimplex::basic
-                          : piece.slope < curve.slope && !last                          ? ClpSimplex::atUpperBound
-                                                                                        : ClpSimplex::atLowerBound;
-      clp.setColumnStatus(curve.first_part + static_cast<int>(m), status);
-    }
-  }
 }
 
 Eigen::VectorXd LinearRelaxation::point(const ClpSimplex& clp) const {
@@ -271,8 +157,8 @@ Eigen::VectorXd LinearRelaxation::point(const ClpSimplex& clp) const {
 
 void LinearRelaxation::refine(const Eigen::VectorXd& x) {
   for (auto& curve : curves_) {
-    if (curve.slope > -infinity) {
-      curve.tangents.add_around(curve.slope);
+    if (const CurveStart* known = start_of(*curve.row)) {
+      curve.tangents.add_around(known->slope);
     }
     curve.tangents.add(x(curve.row->of));
   }

@@ -3,8 +3,10 @@
 #include "common/eigen.hpp"
 #include "coordinator/convex/convex_program.hpp"
 #include "coordinator/convex/linear_program.hpp"
+#include "coordinator/convex/start.hpp"
 #include "coordinator/convex/tangents.hpp"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -23,9 +25,10 @@ namespace evbal {
 /// goes into the cost; each further tangent is a row.
 class LinearRelaxation {
  public:
-  /// Starts with tangents of each curve ever further apart from its lower end, where it bends most, and one of each
-  /// norm. `program` must outlive this, and has no other bound on what stands above a curve than the curve.
-  explicit LinearRelaxation(const ConvexProgram& program);
+  /// Starts with tangents of each curve ever further apart from its lower end, where it bends most, and around where
+  /// `start` was, and with one of each norm. `program` must outlive this, and has no other bound on what stands above a
+  /// curve than the curve.
+  explicit LinearRelaxation(const ConvexProgram& program, Start start = {});
 
   /// What a solve came to.
   struct Outcome {
@@ -34,9 +37,13 @@ class LinearRelaxation {
     Eigen::VectorXd x;         ///< in the program's variables
   };
 
-  /// Solves the linear program of the tangents so far by the dual method: the first time from a basis that needs no
-  /// prices (dual values), then from the prices of the last optimum, which stay dual feasible when tangents are added.
+  /// Solves the linear program of the tangents so far by the dual method: the first time from the start that was given,
+  /// or from a basis that needs no prices (dual values); then from the prices of the last optimum, which stay dual
+  /// feasible when tangents are added. Starts afresh where that does not soon lead to an optimum.
   Outcome solve();
+
+  /// Where the last solve ended.
+  const Start& start() const { return start_; }
 
   /// Makes the tangents of each curve denser around the slope that the prices of the last optimum ask of it, and adds
   /// those of all curves and norms at `x`.
@@ -48,8 +55,6 @@ class LinearRelaxation {
     Tangents tangents;
     std::vector<Tangents::Piece> pieces = {};  // as they were solved last
     int first_part = 0;                        // column
-    std::vector<double> basic = {};            // where the tangents of basic pieces touch
-    double slope = -ConvexProgram::infinity;   // that prices ask for
   };
 
   struct NormRow {
@@ -63,8 +68,14 @@ class LinearRelaxation {
   void start_without_prices(ClpSimplex& clp) const;
   const Expression::Term* defined_by(const ClpSimplex& clp, int row) const;
   const Expression::Term* held_back(const ClpSimplex& clp, int row, const std::vector<double>& reduced) const;
+  std::shared_ptr<ClpSimplex> solved_from_prices(const LinearProgram& lp) const;
   void start_from_prices(ClpSimplex& clp) const;
-  void keep_prices(const ClpSimplex& clp);
+  void start_from_prices(ClpSimplex& clp, const Curve& curve, const CurveStart& known) const;
+  Start end_of(const ClpSimplex& clp) const;
+  CurveStart end_of(const ClpSimplex& clp, int curve) const;
+  const CurveStart* start_of(const CurveRow& curve) const;
+  void name_columns_and_rows();
+  std::uint64_t key_of_row(int row) const;
   Eigen::VectorXd point(const ClpSimplex& clp) const;
   int first_part() const { return program_.variables() + static_cast<int>(first_gradients_.size()); }
 
@@ -74,7 +85,9 @@ class LinearRelaxation {
   std::vector<bool> has_curve_;                   // by variable: whether a curve is of it
   std::vector<Eigen::VectorXd> first_gradients_;  // of the norms
   std::vector<NormRow> norm_rows_;
-  std::vector<int> basis_;  // Clp's marks of the columns of program and norms, then of the rows
+  std::vector<std::uint64_t> column_keys_;  // of program and norms
+  std::vector<std::uint64_t> row_keys_;     // of program and curves
+  Start start_;
 };
 
 }  // namespace evbal

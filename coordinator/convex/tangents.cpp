@@ -31,6 +31,9 @@ void Tangents::add(double at) {
 
 void Tangents::add_around(double slope) {
   constexpr int parts = 8;  // of each gap
+  if (slope == -std::numeric_limits<double>::infinity()) {
+    return;
+  }
   const auto gaps = std::ssize(tangents_) - 1;
   const auto enclosing = std::ranges::lower_bound(tangents_, slope, {}, &Tangent::slope) - tangents_.begin() - 1;
   std::vector<double> points;

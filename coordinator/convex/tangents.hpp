@@ -24,7 +24,7 @@ class Tangents {
   /// Adds the tangent at a point of [lower, upper], unless there is one.
   void add(double at);
 
-  /// Adds tangents between those that enclose a slope, and in the gaps on both sides.
+  /// Adds tangents between those that enclose a slope, and in the gaps on both sides; none for a slope of -infinity.
   void add_around(double slope);
 
   /// The function at the lower bound.

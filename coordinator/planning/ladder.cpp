@@ -59,7 +59,11 @@ Decision Ladder::decide(int minute, const PlanningData& data, const EngineSettin
 }
 
 Decision Ladder::solved(int minute, BalancingResult result, FallbackLevel level, std::string reason) {
-  memory_ = {.last = std::move(result.dispatch), .minute = minute, .next_step = 1, .failures_in_a_row = 0};
+  memory_ = {.last = std::move(result.dispatch),
+             .minute = minute,
+             .next_step = 1,
+             .failures_in_a_row = 0,
+             .start = std::move(result.start)};
   const Certificate& certificate = result.certificate;
   return {step_of(memory_.last.vacant, 0),
           step_of(memory_.last.low_battery, 0),

@@ -172,6 +172,7 @@ PlanningData RecedingHorizonPlanner::data(int minute, const std::vector<Report>&
   }
   data.step_minutes = clock_.step;
   data.mean_session_minutes = model_.mean_session_minutes;
+  data.start = ladder_.memory().start;
   return data;
 }
 

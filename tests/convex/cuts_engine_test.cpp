@@ -70,6 +70,48 @@ TEST(CutsEngine, SettlesOnSteepCurves) {
   EXPECT_LT(certificate.iterations, 20);
 }
 
+PlanningData any_data(int regions, int tau) {
+  return random_planning_data(*rc::gen::arbitrary<std::uint64_t>(), {.regions = regions, .tau = tau, .rank = 2});
+}
+
+RC_GTEST_PROP(CutsEngine, FindsTheOptimumFromThatOfAnotherProblem, ()) {
+  const int regions = *rc::gen::inRange(1, 9);
+  const int tau = *rc::gen::inRange(1, 4);
+  const auto other = formulate({}, any_data(regions, tau), robust).program;
+  const auto program = formulate({}, any_data(regions, *rc::gen::inRange(1, tau + 1)), robust).program;
+  const double afresh = certificate("cuts", program).objective;
+  const auto again = solve(program, {.name = "cuts"}, solve(other, {.name = "cuts"}).start).certificate;
+  RC_ASSERT(again.optimal());
+  RC_ASSERT(std::abs(again.objective - afresh) <= 2e-6 * std::max(1.0, std::abs(afresh)));
+}
+
+// A start that names what there is at random: no basis at all.
+RC_GTEST_PROP(CutsEngine, FindsTheOptimumFromAnyStart, ()) {
+  const auto program = formulate({}, any_data(4, 2), robust).program;
+  const auto afresh = solve(program, {.name = "cuts"});
+  Start start;
+  for (int variable = 0; variable < program.variables(); ++variable) {
+    auto& keys = *rc::gen::arbitrary<bool>() ? start.basic : start.at_upper;
+    keys.push_back(key_of(program.name_of({variable})));
+  }
+  std::ranges::sort(start.basic);
+  std::ranges::sort(start.at_upper);
+  start.curves = afresh.start.curves;
+  const auto again = solve(program, {.name = "cuts"}, start).certificate;
+  RC_ASSERT(again.optimal());
+  const double expected = afresh.certificate.objective;
+  RC_ASSERT(std::abs(again.objective - expected) <= 2e-6 * std::max(1.0, std::abs(expected)));
+}
+
+TEST(CutsEngine, NeedsFewerLinearProgramsFromItsOwnOptimum) {
+  const auto program = formulate({}, random_planning_data(1, {.regions = 20}), robust).program;
+  const auto first = solve(program, {.name = "cuts"});
+  EXPECT_FALSE(first.start.empty());
+  const auto second = solve(program, {.name = "cuts"}, first.start);
+  EXPECT_TRUE(second.certificate.optimal()) << second.certificate.reason;
+  EXPECT_LT(second.certificate.iterations, first.certificate.iterations);
+}
+
 TEST(CutsEngine, SaysThatNoPointIsFeasible) {
   ConvexProgram program;
   const auto x = program.add_variable("x", 0.0, 1.0);

@@ -164,7 +164,9 @@ TEST(RecedingHorizonPlanner, TakesOverFromAnother) {
   const Balancer fails_from_the_fourth_on = [&solves](const std::string&, const PlanningData& data, const auto&) {
     BalancingResult result;
     result.certificate.status = ++solves <= 3 ? SolveStatus::optimal : SolveStatus::failed;
-    result.certificate.objective = data.demand.mean.sum();
+    const auto& start = data.start.basic;
+    result.certificate.objective = data.demand.mean.sum() + (start.empty() ? 0.0 : static_cast<double>(start.front()));
+    result.start.basic = {static_cast<std::uint64_t>(100 * solves)};
     result.dispatch.vacant = {{{0, 1, 1.0 * solves}}, {{1, 2, 2.0}}, {{2, 0, 3.0}}};
     return result;
   };
