@@ -35,7 +35,7 @@ std::optional<Cost> by_engine(const std::string& engine, int regions, int tau) {
   return measure(prepare, limit);
 }
 
-// The same problem without J_E: what no engine of this kind can undercut.
+// The same problem without J_E.
 std::optional<Cost> by_linear_program(int regions, int tau) {
   const auto prepare = [&]() -> Work {
     BalancingParameters parameters;
@@ -145,7 +145,7 @@ Seconds of processor, from the program as written to the optimum with its certif
 least of five measurements (one, beyond two seconds), and the most memory held, in MB, the city included. Ratios are of the
 same run. ">": stopped there. A dash: not tried, or failed.
 
-- LP: the same problem without J_E by Clp, which no method of tangent cuts can undercut.
+- LP: the same problem without J_E by Clp, to compare with.
 - SDP: the semidefinite program of the paper's Theorem 1 as printed, by SDPA (package `sdpa`, if installed) with its
   default parameters: the supply's block at the stations alone; then with the demand's block, of N tau entries. The decisions
   are held, so that the two blocks are solved one after the other; the printed problem would decide as well.
