@@ -63,10 +63,17 @@ const std::vector<Controller>& controllers() {
       {.name = "turnover",
        .plan = optimum({Shortage::turnover, Uncertainty::counts, Uncertainty::mean}),
        .about = "prices a shortage as the passengers who would be lost, drop-offs counted"},
+      {.name = "flow",
+       .plan = optimum({Shortage::flow, Uncertainty::counts, Uncertainty::mean}),
+       .about = "plans by the minute in which each car arrives, drop-offs and ends of charging counted"},
       {.name = "oracle",
        .plan = optimum({Shortage::turnover, Uncertainty::counts, Uncertainty::mean}),
        .foresees = true,
        .about = "`turnover`, told what the demand will be"},
+      {.name = "flow-oracle",
+       .plan = optimum({Shortage::flow, Uncertainty::counts, Uncertainty::mean}),
+       .foresees = true,
+       .about = "`flow`, told what the demand will be"},
   };
   return all;
 }

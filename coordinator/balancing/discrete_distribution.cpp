@@ -60,13 +60,12 @@ DiscreteDistribution empirical(std::vector<double> values) {
 }
 
 // From the mean outwards until the rest is negligible.
-DiscreteDistribution negative_binomial(double mean, double variance) {
+DiscreteDistribution negative_binomial(double mean, double variance, double least) {
   EVBAL_EXPECT(mean >= 0.0 && std::isfinite(mean) && std::isfinite(variance), "a finite mean of at least zero");
   if (mean == 0.0) {
     return certain(0.0);
   }
   constexpr double negligible = 1e-10;
-  constexpr double least = 1.0 / 64.0;
   const double v = std::max(mean, variance);
   const auto ratio = [&](double k) { return next_ratio(k, mean, v); };
   const double middle = std::floor(mean);

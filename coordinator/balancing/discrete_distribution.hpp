@@ -20,8 +20,8 @@ DiscreteDistribution certain(double value);
 DiscreteDistribution empirical(std::vector<double> values);
 
 /// Negative binomial with this mean >= 0 and variance, Poisson where the variance is at most the mean. Neighbouring
-/// values of less than a 64th together are joined at their mean: fewer values, the same mean.
-DiscreteDistribution negative_binomial(double mean, double variance);
+/// values of less than `least` together are joined at their mean: fewer values, the same mean.
+DiscreteDistribution negative_binomial(double mean, double variance, double least = 1.0 / 64.0);
 
 /// Probability of at most `count` (up to 1e9) under the same negative binomial, without joining; mean > 0. Right to
 /// 1e-9; takes as long as `count` is large.

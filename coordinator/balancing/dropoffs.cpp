@@ -3,7 +3,6 @@
 namespace evbal {
 
 Eigen::MatrixXd demand_with_waiting(const PlanningData& data) {
-  constexpr double still_there = 0.8;
   Eigen::MatrixXd demand = data.demand.mean.cwiseMax(0.0).reshaped(data.km.rows(), data.points.cols());
   demand.col(0) += still_there * data.state.waiting;
   return demand;

@@ -5,6 +5,9 @@
 
 namespace evbal {
 
+/// Share of the passengers who wait now that are still there to be served by what is planned.
+inline constexpr double still_there = 0.8;
+
 /// Demand of each step as `turnover` sees it, N x tau: the forecast and, in the first step, those of the passengers who
 /// wait now that are still there to be served (docs/model.md, section 4).
 Eigen::MatrixXd demand_with_waiting(const PlanningData& data);

@@ -1,5 +1,6 @@
 #include "coordinator/balancing/formulation.hpp"
 
+#include "coordinator/balancing/flow_terms.hpp"
 #include "coordinator/balancing/shortage_terms.hpp"
 
 #include <algorithm>
@@ -13,14 +14,21 @@ Expressions constants(const Eigen::VectorXd& values) {
   return {values.begin(), values.end()};
 }
 
+Expressions each_of(const Variables& variables) {
+  Expressions all;
+  for (int i = 0; i < variables.size(); ++i) {
+    all.emplace_back(variables[i]);
+  }
+  return all;
+}
+
 bool is_zero(const Expression& expression) {
   return expression.terms().empty() && expression.constant() <= 0.0;
 }
 
 // What later equations use of one step.
 struct Step {
-  Variables S;
-  Expressions Y, u, e;
+  Expressions S, Y, u, e;
 };
 
 // What is sent in one step: from and to each region, and how far in all.
@@ -35,6 +43,7 @@ class Formulator {
   Formulator(const BalancingParameters& parameters, const PlanningData& data, const FormulationOptions& options)
       : p_(parameters),
         data_(data),
+        options_(options),
         model_(uncertainty_model(parameters, data, options)),
         shortage_(parameters, data, options, model_, program_),
         N_(static_cast<int>(data.km.rows())),
@@ -47,20 +56,27 @@ class Formulator {
   }
 
   Formulation formulate() {
+    const bool flow = options_.shortage == Shortage::flow;
+    const Eigen::MatrixXd unsent = flow ? vacant_without_dispatch(data_, model_.c_low) : Eigen::MatrixXd();
     result_.stock.push_back({constants(data_.state.vacant), constants(data_.state.occupied),
                              constants(data_.state.low_battery), constants(data_.state.plugged)});
     for (int k = 0; k < tau_; ++k) {
       const Stock& stock = result_.stock[k];
       Step step;
-      step.S = send_vacant(k, stock.V);
+      const Variables S = flow ? Variables() : send_vacant(k, stock.V);
+      step.S = flow ? constants(unsent.col(k)) : each_of(S);
       step.Y = send_low_battery(k, stock.L);
       charge(k, stock.B, step);
-      shortage_.add(k, step.S);
+      shortage_.add(k, S);
       if (k + 1 < tau_) {
         result_.stock.push_back(next_stock(k, stock, step));
       }
     }
     worst_case_utilisation();
+    if (flow) {
+      result_.vacant.resize(tau_);
+      result_.vacant.front() = add_flow(p_, data_, options_.demand, program_);
+    }
     return std::move(result_);
   }
 
@@ -226,6 +242,7 @@ class Formulator {
 
   const BalancingParameters& p_;
   const PlanningData& data_;
+  const FormulationOptions& options_;
   Formulation result_;
   ConvexProgram& program_ = result_.program;
   UncertaintyModel model_;

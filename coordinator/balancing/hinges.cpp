@@ -64,7 +64,8 @@ Expression cost_of(const std::string& term, const std::vector<Hinge>& hinges, co
 
 }  // namespace
 
-void minimise_hinges(ConvexProgram& program, const Expression& s, const std::vector<Hinge>& hinges, const Name& name) {
+Expression minimise_hinges(ConvexProgram& program, const Expression& s, const std::vector<Hinge>& hinges,
+                           const Name& name) {
   const std::vector<Part> parts = parts_between(hinges, s, name, program);
   std::vector<std::string> terms;
   for (const Hinge& hinge : hinges) {
@@ -73,6 +74,11 @@ void minimise_hinges(ConvexProgram& program, const Expression& s, const std::vec
       program.minimise(hinge.term, cost_of(hinge.term, hinges, parts));
     }
   }
+  Expression sum;
+  for (const Part& part : parts) {
+    sum += part.amount;
+  }
+  return sum;
 }
 
 }  // namespace evbal

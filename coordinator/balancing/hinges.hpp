@@ -16,7 +16,9 @@ struct Hinge {
 
 /// Adds the sum of hinges of `s`, which is at least zero, to the objective: at most one row, called `name`. It divides
 /// s into parts between one bend and the next, each priced by the slope there. Slopes rise from part to part, so that
-/// an optimum fills them in turn, and each term gets its own hinges.
-void minimise_hinges(ConvexProgram& program, const Expression& s, const std::vector<Hinge>& hinges, const Name& name);
+/// an optimum fills them in turn, and each term gets its own hinges. Gives the sum of the parts, which is s in terms of
+/// variables of its own.
+Expression minimise_hinges(ConvexProgram& program, const Expression& s, const std::vector<Hinge>& hinges,
+                           const Name& name);
 
 }  // namespace evbal

@@ -34,6 +34,13 @@ struct BalancingParameters {
   int neighbours = 12;       ///< at most so many nearest targets a region, beside its nearest region and station
   int tau = 2;               ///< steps in the horizon
   Supply supply = Supply::completions;  ///< what J_E takes the supply to be
+  int flow_slot = 10;                   ///< minutes of a slot (the flow_... are for `flow` only)
+  int flow_slots = 6;                   ///< slots that `flow` looks ahead
+  int flow_sends = 3;                   ///< the first so many slots are those in which cars may set off
+  double flow_m1 = 25.0;                ///< as m1
+  int flow_neighbours = 20;             ///< as neighbours
+  double flow_served = 0.95;            ///< at most this share of the passengers to come is served and gets out again
+  double flow_pickup = 2.0;             ///< minutes that a passenger who is served waits
 };
 
 /// Vehicles as they stand when a plan is made; all N, in vehicles.
@@ -65,6 +72,13 @@ struct Turnover {
   Eigen::MatrixXd same_step_dropoffs;  ///< D, N x N: share of the trips from j that end at i within the step
 };
 
+/// Cars that become vacant in the next K slots if nobody is sent anywhere, beside those that are; cumulative from now,
+/// each up to the end of the slot (docs/model.md, section 4: `flow`). Those who wait for a charger are not among them.
+struct FreedCars {
+  Eigen::MatrixXd mean;      ///< N x K: expected number
+  Eigen::MatrixXd variance;  ///< N x K: of that number
+};
+
 /// Everything that a controller may know when it plans.
 struct PlanningData {
   Eigen::MatrixXd km;                    ///< N x N
@@ -76,9 +90,10 @@ struct PlanningData {
   MomentSet free_points;                 ///< c of Supply::points, free by the end of each step
   std::vector<Transitions> transitions;  ///< tau of them
   Turnover turnover;                     ///< of vehicles that serve twice in a step
+  FreedCars freed;                       ///< by the end of each slot (flow only)
   double step_minutes = 30.0;            ///< Delta
   double mean_session_minutes = 45.0;    ///< caps J_E's c_hat at P Delta / mean session
-  Eigen::MatrixXd minutes;               ///< N x N travel time (greedy only)
+  Eigen::MatrixXd minutes;               ///< N x N travel time (greedy and flow only)
   Start start;                           ///< BalancingResult::start of the last plan; empty: the engine starts afresh
 };
 

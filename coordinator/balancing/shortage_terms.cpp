@@ -40,6 +40,8 @@ void ShortageTerms::add(int k, const Variables& S) {
       return ratio(k, S);
     case Shortage::turnover:
       return turnover(k, S);
+    case Shortage::flow:
+      return;  // flow_terms.hpp
     case Shortage::own:
       return options_.own(k, S, model_, program_);
   }

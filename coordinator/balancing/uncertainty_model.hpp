@@ -16,6 +16,7 @@ enum class Shortage {
   moments,   ///< the same, in the worst expectation over the ambiguity set
   ratio,     ///< expected passengers per vehicle
   turnover,  ///< passengers for whom neither a vehicle nor one that drops off in time is there, in expectation
+  flow,      ///< the same slot by slot, in place of S by where cars are at the end of each (flow_terms.hpp)
   own,       ///< FormulationOptions::own
 };
 

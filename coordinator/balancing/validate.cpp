@@ -111,6 +111,8 @@ void check_parameters(Complaint& complaint, const BalancingParameters& p) {
   complaint.require(p.eta, 0.0, 1.0, "parameter eta");
   complaint.require(p.m1, 0.0, infinity, "parameter m1");
   complaint.require(p.m2, 0.0, infinity, "parameter m2");
+  complaint.require(p.flow_slot, 1.0, most_minutes, "parameter flow_slot");
+  complaint.require(p.flow_m1, 0.0, infinity, "parameter flow_m1");
 }
 
 void check_turnover(Complaint& complaint, const PlanningData& data) {
@@ -125,6 +127,11 @@ void check_turnover(Complaint& complaint, const PlanningData& data) {
     const double passengers = std::max(0.0, data.demand.mean.maxCoeff()) + data.state.waiting.maxCoeff();
     complaint.require(quadratic * passengers, 0.0, most_variance, "variance of demand over its mean");
   }
+}
+
+void check_freed(Complaint& complaint, const FreedCars& freed) {
+  complaint.require(freed.mean, 0.0, most_cars, "vehicles that become vacant", "slot");
+  complaint.require(freed.variance, 0.0, most_variance, "variance of vehicles that become vacant", "slot");
 }
 
 void expect_shapes(const PlanningData& data) {
@@ -149,6 +156,8 @@ void expect_shapes(const PlanningData& data) {
   EVBAL_EXPECT(stacked(data.free_points), "free points N tau");
   EVBAL_EXPECT(data.demand_samples.rows() == n * tau, "samples of demand N tau");
   EVBAL_EXPECT(is(data.turnover.same_step_dropoffs, n, n), "trips that end within the step N x N");
+  EVBAL_EXPECT(data.freed.mean.rows() == n && data.freed.mean.cols() > 0, "vehicles that become vacant N x slots");
+  EVBAL_EXPECT(is(data.freed.variance, n, data.freed.mean.cols()), "their variance N x slots");
   EVBAL_EXPECT(!data.turnover.demand.linear.empty() &&
                    data.turnover.demand.linear.size() == data.turnover.demand.quadratic.size(),
                "as many linear as quadratic coefficients of demand's variance, at least one");
@@ -179,6 +188,7 @@ std::string validate(const BalancingParameters& parameters, const PlanningData& 
                       "demand, step " + std::to_string(k) + ",", "sample");
   }
   check_turnover(complaint, data);
+  check_freed(complaint, data.freed);
   for (std::size_t k = 0; k < data.transitions.size(); ++k) {
     check_transitions(complaint, data.transitions[k], std::to_string(k));
   }

@@ -3,18 +3,32 @@
 #include "common/contract.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace evbal {
+namespace {
+
+/// The period that holds `minute`; the first before it starts.
+template <class AnyPeriod>
+const AnyPeriod& in_force(const std::vector<AnyPeriod>& periods, int minute) {
+  EVBAL_EXPECT(!periods.empty(), "at least one period");
+  const auto after = std::upper_bound(periods.begin(), periods.end(), minute,
+                                      [](int value, const AnyPeriod& period) { return value < period.start; });
+  return after == periods.begin() ? *after : *std::prev(after);
+}
+
+}  // namespace
 
 DayKind CityModel::kind(const std::string& date) const {
   return day_kind(date, std::binary_search(holidays.begin(), holidays.end(), date));
 }
 
 const Transitions& CityModel::transitions_at(int minute) const {
-  EVBAL_EXPECT(!periods.empty(), "at least one period");
-  const auto after = std::upper_bound(periods.begin(), periods.end(), minute,
-                                      [](int value, const Period& period) { return value < period.start; });
-  return (after == periods.begin() ? after : std::prev(after))->transitions;
+  return in_force(periods, minute).transitions;
+}
+
+const std::vector<TripShare>& CityModel::trips_at(int minute) const {
+  return in_force(trips, minute).shares;
 }
 
 }  // namespace evbal

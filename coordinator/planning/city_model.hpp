@@ -22,6 +22,19 @@ struct Period {
   Transitions transitions;  ///< from then on
 };
 
+/// Of the trips that start in a region, the share that ends in another, or in the same.
+struct TripShare {
+  int origin = 0;       ///< region
+  int destination = 0;  ///< region
+  double share = 0.0;   ///< of the origin's trips, above 0; over all destinations they sum to one
+};
+
+/// Where trips go that start from `start` (minute after midnight) until the next period.
+struct TripPeriod {
+  int start = 0;                  ///< minute after midnight
+  std::vector<TripShare> shares;  ///< by (origin, destination), each pair at most once
+};
+
 /// Everything that `evbal fit` estimates of a city (docs/model.md, sections 2 and 5).
 struct CityModel {
   std::string city;                   ///< name of the pack that it was fitted to
@@ -31,6 +44,7 @@ struct CityModel {
   SeriesModel demand;                 ///< of r
   SeriesModel completions;            ///< of c
   std::vector<Period> periods;        ///< at least one, by start
+  std::vector<TripPeriod> trips;      ///< at least one, by start
   Turnover turnover;                  ///< of vehicles that serve twice in a step
   double mean_session_minutes = 0.0;  ///< of charging
 
@@ -48,6 +62,9 @@ struct CityModel {
 
   /// Those of the period that holds `minute` after midnight; the first period's before it starts.
   const Transitions& transitions_at(int minute) const;
+
+  /// Likewise where the trips go that start then.
+  const std::vector<TripShare>& trips_at(int minute) const;
 };
 
 /// Reads a file that write_model wrote. Throws Error{bad_input} naming the file and the key that is missing, unknown,

@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int schema = 3;
+constexpr int schema = 4;
 // No city comes near these; far beyond them a problem has numbers that no solver can scale.
 constexpr double most_a_minute = most_passengers_a_minute;  // mean count of a region
 constexpr double most_deviation = 1e3;                      // of errors in units of their scale, 1 for Poisson counts
@@ -80,6 +80,18 @@ json to_json(const Period& period) {
     out[key] = to_json(period.transitions.*matrix);
   }
   return out;
+}
+
+json to_json(const TripPeriod& period) {
+  std::vector<int> from;
+  std::vector<int> to;
+  std::vector<double> share;
+  for (const TripShare& trips : period.shares) {
+    from.push_back(trips.origin);
+    to.push_back(trips.destination);
+    share.push_back(trips.share);
+  }
+  return {{"start", period.start}, {"from", from}, {"to", to}, {"share", share}};
 }
 
 json to_json(const Turnover& turnover) {
@@ -188,12 +200,74 @@ Period read_period(JsonObject in, const Shape& shape) {
   return period;
 }
 
+std::vector<int> read_regions(JsonObject& in, const char* key, const Shape& shape) {
+  std::vector<int> regions;
+  for (const double number : in.numbers(key, 0.0, shape.regions - 1.0)) {
+    if (number != std::floor(number)) {
+      throw in.error(key, "numbers of regions are expected");
+    }
+    regions.push_back(static_cast<int>(number));
+  }
+  return regions;
+}
+
+TripPeriod read_trip_period(JsonObject in, const Shape& shape) {
+  TripPeriod period{in.integer("start", 0, 24 * 60), {}};
+  const std::vector<int> from = read_regions(in, "from", shape);
+  const std::vector<int> to = read_regions(in, "to", shape);
+  const std::vector<double> share = in.numbers("share", 0.0, 1.0);
+  if (to.size() != from.size() || share.size() != from.size()) {
+    throw in.error("from", "as many numbers are expected as of `to` and of `share`");
+  }
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(shape.regions);
+  for (std::size_t pair = 0; pair < from.size(); ++pair) {
+    period.shares.push_back({from[pair], to[pair], share[pair]});
+    sum(from[pair]) += share[pair];
+  }
+  const auto not_before = [](const TripShare& a, const TripShare& b) {
+    return std::pair(a.origin, a.destination) >= std::pair(b.origin, b.destination);
+  };
+  if (std::ranges::adjacent_find(period.shares, not_before) != period.shares.end()) {
+    throw in.error("from", "pairs by ascending `from` and `to` are expected, each once");
+  }
+  if (!((sum.array() - 1.0).abs() < 1e-9).all()) {
+    throw in.error("share", "the shares of each region's trips are to sum to one");
+  }
+  in.finish();
+  return period;
+}
+
+/// Periods by ascending start, at least one.
+template <class ReadPeriod>
+auto read_periods(JsonObject& in, const char* key, const ReadPeriod& read) {
+  std::vector<decltype(read(in))> periods;
+  for (JsonObject& period : in.objects(key)) {
+    periods.push_back(read(period));
+  }
+  const auto not_later = [](const auto& a, const auto& b) { return a.start >= b.start; };
+  if (periods.empty() || std::ranges::adjacent_find(periods, not_later) != periods.end()) {
+    throw in.error(key, "one at least is expected, by ascending start");
+  }
+  return periods;
+}
+
+template <class AnyPeriod>
+json all_to_json(const std::vector<AnyPeriod>& periods) {
+  json all = json::array();
+  for (const AnyPeriod& period : periods) {
+    all.push_back(to_json(period));
+  }
+  return all;
+}
+
 }  // namespace
 
 CityModel read_model(const std::filesystem::path& file) {
   const json root = parse_json(file);
   JsonObject in(root, file.string(), "");
-  in.integer("schema", schema, schema);
+  if (in.integer("schema", 1, 1000) != schema) {
+    throw in.error("schema", std::to_string(schema) + " is expected; make the model anew by `evbal fit`");
+  }
   CityModel model;
   model.city = in.text("city");
   model.day_start = in.integer("day_start", 0, 24 * 60);
@@ -212,14 +286,8 @@ CityModel read_model(const std::filesystem::path& file) {
   }
   model.demand = read_series(in.object("demand"), shape);
   model.completions = read_series(in.object("completions"), shape);
-  for (JsonObject& period : in.objects("periods")) {
-    model.periods.push_back(read_period(period, shape));
-  }
-  const auto later = [](const Period& a, const Period& b) { return a.start >= b.start; };
-  if (model.periods.empty() ||
-      std::adjacent_find(model.periods.begin(), model.periods.end(), later) != model.periods.end()) {
-    throw in.error("periods", "one at least is expected, by ascending start");
-  }
+  model.periods = read_periods(in, "periods", [&](const JsonObject& period) { return read_period(period, shape); });
+  model.trips = read_periods(in, "trips", [&](const JsonObject& period) { return read_trip_period(period, shape); });
   model.turnover = read_turnover(in.object("turnover"), shape);
   model.mean_session_minutes = in.number("mean_session_minutes", 1.0, 24.0 * 60.0);
   in.finish();
@@ -240,12 +308,9 @@ void write_model(const CityModel& model, const std::filesystem::path& file) {
       {"demand", to_json(model.demand)},
       {"completions", to_json(model.completions)},
       {"turnover", to_json(model.turnover)},
+      {"periods", all_to_json(model.periods)},
+      {"trips", all_to_json(model.trips)},
   };
-  json periods = json::array();
-  for (const Period& period : model.periods) {
-    periods.push_back(to_json(period));
-  }
-  entries.emplace_back("periods", periods);
 
   std::string text;
   for (const auto& [key, value] : entries) {

@@ -1,24 +1,14 @@
 #include "coordinator/planning/planning_data.hpp"
 
+#include "coordinator/planning/charging_sessions.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace evbal {
 namespace {
 
 constexpr double least_deviation = 0.1;  ///< of an uncertain count (docs/model.md, section 5)
-
-/// Share of the sessions that last at most `minutes`; linear between the quantiles.
-double share_ended(const std::vector<double>& quantiles, double minutes) {
-  const auto above = std::upper_bound(quantiles.begin(), quantiles.end(), minutes);
-  if (above == quantiles.begin() || above == quantiles.end()) {
-    return above == quantiles.begin() ? 0.0 : 1.0;
-  }
-  const double low = *std::prev(above);
-  const auto below = static_cast<double>(above - quantiles.begin() - 1);
-  return (below + (minutes - low) / (*above - low)) / static_cast<double>(quantiles.size() - 1);
-}
 
 }  // namespace
 
@@ -69,12 +59,11 @@ MomentSet free_points(const std::vector<Report>& reports, int minute, int step,
   for (Eigen::Index entry = 0; entry < set.mean.size(); ++entry) {
     const Report& report = reports[static_cast<std::size_t>(entry % n)];
     const Eigen::Index lead = entry / n + 1;
-    const auto until = static_cast<double>(minute + step * lead);
+    const auto minutes = static_cast<double>(step * lead);
     double mean = std::max(0, report.points - report.plugged);
     double variance = 0.0;
     for (const int since : report.plugged_since) {
-      const double ended = share_ended(session_quantiles, minute - since);
-      const double ends = ended < 1.0 ? (share_ended(session_quantiles, until - since) - ended) / (1.0 - ended) : 1.0;
+      const double ends = share_that_ends(session_quantiles, minute - since, minutes);
       mean += ends;
       variance += ends * (1.0 - ends);
     }

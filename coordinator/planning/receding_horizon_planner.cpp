@@ -6,6 +6,7 @@
 #include "coordinator/ambiguity/gaussian_samples.hpp"
 #include "coordinator/balancing/round_to_vehicles.hpp"
 #include "coordinator/forecast/foreknowledge.hpp"
+#include "coordinator/planning/freed_cars.hpp"
 #include "coordinator/planning/planning_data.hpp"
 
 #include <algorithm>
@@ -172,6 +173,8 @@ PlanningData RecedingHorizonPlanner::data(int minute, const std::vector<Report>&
   }
   data.step_minutes = clock_.step;
   data.mean_session_minutes = model_.mean_session_minutes;
+  data.freed = freed_cars(data, reports, minute, slots_at(clock_, minute, settings_.balancing), session_quantiles_,
+                          model_.trips_at(clock_.start + minute), settings_.balancing);
   data.start = ladder_.memory().start;
   return data;
 }

@@ -18,7 +18,7 @@ struct Price {
   double low;
   double high;
 };
-constexpr std::array<Price, 12> prices{{
+constexpr std::array<Price, 15> prices{{
     {"a", &BalancingParameters::a, 1e-3, 2.0},
     {"theta_0", &BalancingParameters::theta_0, 0.0, 1e6},
     {"eps", &BalancingParameters::eps, 1e-3, 1e3},
@@ -31,6 +31,9 @@ constexpr std::array<Price, 12> prices{{
     {"eta", &BalancingParameters::eta, 0.0, 0.99},
     {"m1", &BalancingParameters::m1, 0.0, 1e4},
     {"m2", &BalancingParameters::m2, 0.0, 1e4},
+    {"flow_m1", &BalancingParameters::flow_m1, 0.0, 1e4},
+    {"flow_served", &BalancingParameters::flow_served, 0.0, 1.0},
+    {"flow_pickup", &BalancingParameters::flow_pickup, 0.0, 60.0},
 }};
 
 struct Count {
@@ -39,9 +42,13 @@ struct Count {
   int low;
   int high;
 };
-constexpr std::array<Count, 2> counts{{
+constexpr std::array<Count, 6> counts{{
     {"neighbours", &BalancingParameters::neighbours, 1, 10000},
     {"tau", &BalancingParameters::tau, 1, 48},
+    {"flow_slot", &BalancingParameters::flow_slot, 1, 60},
+    {"flow_slots", &BalancingParameters::flow_slots, 1, 60},
+    {"flow_sends", &BalancingParameters::flow_sends, 1, 60},
+    {"flow_neighbours", &BalancingParameters::flow_neighbours, 1, 10000},
 }};
 
 const std::vector<std::string> supplies = {"completions", "points"};  // by Supply

@@ -56,8 +56,8 @@ PlanningData renamed(PlanningData data, const Permutation& one) {
        {&data.state.vacant, &data.state.occupied, &data.state.low_battery, &data.state.plugged, &data.state.waiting}) {
     rows(*vector);
   }
-  for (auto* matrix :
-       {&data.state.arriving_vacant, &data.state.arriving_low_battery, &data.state.dropoffs_due, &data.points}) {
+  for (auto* matrix : {&data.state.arriving_vacant, &data.state.arriving_low_battery, &data.state.dropoffs_due,
+                       &data.points, &data.freed.mean, &data.freed.variance}) {
     rows(*matrix);
   }
   for (auto* set : {&data.demand, &data.completions, &data.free_points}) {
@@ -113,9 +113,10 @@ RC_GTEST_PROP(ControllersProperty, UnitsOfLengthDoNotMatter, ()) {
   const double factor = *rc::gen::element(0.1, 0.5, 1.6, 7.0);
   const double expected = factor * optimum_by_any_engine(controller, data, parameters);
   data.km *= factor;
-  for (auto price : {&BalancingParameters::m1, &BalancingParameters::m2, &BalancingParameters::theta_0,
-                     &BalancingParameters::omega, &BalancingParameters::pi_e, &BalancingParameters::p_shortage,
-                     &BalancingParameters::p_surplus, &BalancingParameters::p_ratio}) {
+  for (auto price :
+       {&BalancingParameters::m1, &BalancingParameters::flow_m1, &BalancingParameters::m2,
+        &BalancingParameters::theta_0, &BalancingParameters::omega, &BalancingParameters::pi_e,
+        &BalancingParameters::p_shortage, &BalancingParameters::p_surplus, &BalancingParameters::p_ratio}) {
     parameters.*price *= factor;
   }
   data.state.plugged = data.state.plugged.cwiseMin(data.points.rowwise().minCoeff());  // z costs the same in any unit

@@ -46,6 +46,8 @@ std::vector<Datum> all_data() {
       {"completions g2", [](auto& d, auto&) -> double& { return d.completions.g2; }},
       {"variance, linear", [](auto& d, auto&) -> double& { return d.turnover.demand.linear[0]; }},
       {"variance, quadratic", [](auto& d, auto&) -> double& { return d.turnover.demand.quadratic[0]; }},
+      {"freed", [](auto& d, auto&) -> double& { return d.freed.mean(1, 2); }},
+      {"freed, variance", [](auto& d, auto&) -> double& { return d.freed.variance(1, 2); }},
       {"step_minutes", [](auto& d, auto&) -> double& { return d.step_minutes; }},
       {"mean_session_minutes", [](auto& d, auto&) -> double& { return d.mean_session_minutes; }},
       {"a", [](auto&, auto& p) -> double& { return p.a; }},
@@ -63,9 +65,9 @@ std::vector<Datum> all_data() {
 // Whatever one number is, each controller plans or says why not: no library ends the process.
 TEST(Validate, NoNumberEndsTheProcess) {
   const double infinity = std::numeric_limits<double>::infinity();
-  const std::vector<std::pair<std::string, std::string>> solves = {{"robust", "ipopt"}, {"robust", "cuts"},
-                                                                   {"moment", "cuts"},  {"scenario", "cuts"},
-                                                                   {"ratio", "cuts"},   {"turnover", "cuts"}};
+  const std::vector<std::pair<std::string, std::string>> solves = {
+      {"robust", "ipopt"}, {"robust", "cuts"},   {"moment", "cuts"}, {"scenario", "cuts"},
+      {"ratio", "cuts"},   {"turnover", "cuts"}, {"flow", "cuts"}};
   for (const auto& datum : all_data()) {
     for (const double value : {0.0, 1e-300, 1e-3, 1e3, 1e6, 1e100, infinity, std::nan("")}) {
       auto data = random_planning_data(1, {.regions = 3, .tau = 2, .rank = 2});

@@ -22,6 +22,7 @@ CityModel flat_model(const World& world) {
   }
   const TransitionCounts unseen(world.city.size());
   model.periods = {{0, transitions_of(unseen, unseen, 1.0)}};
+  model.trips = {{0, {}}};
   model.turnover = {{{1.0}, {0.0}}, 0.0, Eigen::MatrixXd::Zero(n, n)};
   return model;
 }

@@ -61,6 +61,9 @@ TEST_F(ModelFile, GivesBackEveryBit) {
   EXPECT_EQ(back.completions.errors.alarm, model.completions.errors.alarm);
   EXPECT_EQ(back.periods[1].start, 16 * 60);
   EXPECT_EQ(back.periods[0].transitions.vacant_to_occupied, model.periods[0].transitions.vacant_to_occupied);
+  ASSERT_EQ(back.trips.size(), 2U);
+  EXPECT_EQ(back.trips[0].shares[4].destination, 2);
+  EXPECT_EQ(back.trips[0].shares[4].share, 0.25);
   EXPECT_EQ(written(back), text);
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1) << "nothing half-written stays";
 }
@@ -69,7 +72,7 @@ TEST_F(ModelFile, RefusesWhatDoesNotFit) {
   const std::string good = written(testing::small_model());
   expect_refused(good.substr(0, good.size() / 2), "JSON");
   expect_refused(replaced(good, "\"schema\"", "\"city\": \"x\", \"schema\""), "twice");
-  expect_refused(replaced(good, "\"schema\": 3", "\"schema\": 2"), "schema");
+  expect_refused(replaced(good, "\"schema\": 4", "\"schema\": 3"), "anew by `evbal fit`");
   expect_refused(replaced(good, "\"mean_session_minutes\"", "\"mean_session\""), "mean_session_minutes");
   expect_refused(replaced(good, "\"holidays\"", "\"extra\": 1, \"holidays\""), "extra");
   expect_refused(replaced(good, "\"regions\": 3", "\"regions\": 4"), "4 lists");
@@ -79,6 +82,17 @@ TEST_F(ModelFile, RefusesWhatDoesNotFit) {
   expect_refused(replaced(good, "4.0", "\"4\""), "number");
   expect_refused(replaced(good, "\"vacant_to_vacant\":[[0.5", "\"vacant_to_vacant\":[[0.4"), "sum to one");
   expect_refused("[]", "object");
+}
+
+TEST_F(ModelFile, RefusesTripsThatGoNowhere) {
+  const std::string good = written(testing::small_model());
+  const std::string from = "\"from\":[0,1,2]";
+  expect_refused(replaced(good, from, "\"from\":[0,1]"), "trips[1].from");
+  expect_refused(replaced(good, from, "\"from\":[0,1,3]"), "trips[1].from");
+  expect_refused(replaced(good, from, "\"from\":[0,1,1.5]"), "numbers of regions");
+  expect_refused(replaced(good, from, "\"from\":[1,0,2]"), "ascending");
+  expect_refused(replaced(good, from, "\"from\":[0,1,1]"), "sum to one");
+  expect_refused(replaced(good, "\"share\":[1.0", "\"share\":[0.9"), "trips[1].share");
 }
 
 // Numbers that no city has would make problems that no solver can scale.
@@ -117,6 +131,8 @@ TEST(CityModel, KnowsHolidaysAndPeriods) {
   EXPECT_EQ(&model.transitions_at(15 * 60 + 59), &model.periods[0].transitions);
   EXPECT_EQ(&model.transitions_at(16 * 60), &model.periods[1].transitions);
   EXPECT_EQ(&model.transitions_at(0), &model.periods[0].transitions);
+  EXPECT_EQ(&model.trips_at(7 * 60 - 1), &model.trips[0].shares);
+  EXPECT_EQ(&model.trips_at(7 * 60), &model.trips[1].shares);
 }
 
 }  // namespace

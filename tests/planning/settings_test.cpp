@@ -36,13 +36,16 @@ TEST(Planning, GivesItselfBackAsYaml) {
   settings.engine.max_iterations = 77;
   settings.model = "/a \"b\"/model.json";
   settings.innovation_test = true;
-  settings.balancing = {0.11, 1.0 / 3.0, 2.0, 0.9, 8.0, 7.0, 6.0, 5.0, 11.0, 0.4, 9.0, 3.0, 4, 5, Supply::points};
+  settings.balancing = {0.11, 1.0 / 3.0,      2.0, 0.9, 8.0, 7.0,  6.0, 5.0, 11.0, 0.4, 9.0, 3.0, 4,
+                        5,    Supply::points, 15,  4,   2,   21.0, 9,   0.8, 1.5};
   const std::string text = planning_yaml(settings);
   const PlanningSettings back = settings_of(text);
   EXPECT_EQ(back.model, settings.model);
   EXPECT_TRUE(back.innovation_test);
   EXPECT_EQ(back.balancing.theta_0, settings.balancing.theta_0);
   EXPECT_EQ(back.balancing.supply, Supply::points);
+  EXPECT_EQ(back.balancing.flow_slot, 15);
+  EXPECT_EQ(back.balancing.flow_served, 0.8);
   EXPECT_EQ(planning_yaml(back), text);
   EXPECT_EQ(planning_yaml(settings_of(planning_yaml({}))), planning_yaml({}));
 }

@@ -52,6 +52,8 @@ inline CityModel small_model(int leads = 2) {
   model.demand = flat_series(4.0, leads);
   model.completions = flat_series(1.0, leads);
   model.periods = {{5 * 60, simple_transitions()}, {16 * 60, simple_transitions()}};
+  model.trips = {{5 * 60, {{0, 0, 0.5}, {0, 1, 0.5}, {1, 0, 0.25}, {1, 1, 0.5}, {1, 2, 0.25}, {2, 2, 1.0}}},
+                 {7 * 60, {{0, 2, 1.0}, {1, 0, 1.0}, {2, 1, 1.0}}}};
   model.turnover = {.demand = {.linear = {1.4}, .quadratic = {0.0}},
                     .phi = 0.5,
                     .same_step_dropoffs = Eigen::MatrixXd::Constant(3, 3, 0.1)};

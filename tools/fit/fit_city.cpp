@@ -3,6 +3,7 @@
 #include "common/error.hpp"
 #include "common/parallel.hpp"
 #include "tools/fit/training_day.hpp"
+#include "tools/fit/trip_shares.hpp"
 #include "tools/fit/turnover_fit.hpp"
 
 #include <algorithm>
@@ -71,7 +72,8 @@ double mean_of_quantiles(const std::vector<double>& quantiles) {
 }
 
 /// What `greedy` has to know of a city; it knows neither completions, transitions nor turnover.
-CityModel model_of_demand(const City& city, int leads, const SeriesModel& demand) {
+CityModel model_of_demand(const City& city, const std::vector<DemandDay>& training, int leads,
+                          const SeriesModel& demand) {
   CityModel model;
   model.city = city.name;
   model.day_start = city.day_start;
@@ -86,6 +88,7 @@ CityModel model_of_demand(const City& city, int leads, const SeriesModel& demand
   model.completions.errors = fit_residual_distribution(Eigen::MatrixXd::Zero(n * leads, 2), leads, {}, {});
   const TransitionCounts unseen(city.size());
   model.periods = {{transition_periods()[0], transitions_of(unseen, unseen, 1.0)}};
+  model.trips = trip_shares(city, training);
   model.turnover = {{{1.0}, {0.0}}, 0.0, Eigen::MatrixXd::Zero(n, n)};
   return model;
 }
@@ -156,7 +159,7 @@ CityFit fit_city(const City& city, int leads, const std::function<void(const std
   tell("demand: " + std::to_string(training.size()) + " training days on record");
   const SeriesDays demand{pickups(city, training), pickups(city, test)};
   fit.demand = fit_series(demand, city.step_minutes, leads, all_regions(city));
-  fit.model = model_of_demand(city, leads, fit.demand.model);
+  fit.model = model_of_demand(city, training, leads, fit.demand.model);
 
   tell("plant: training and test days under greedy");
   const PlanningSettings greedy = under("greedy", leads);

@@ -141,6 +141,19 @@ void print_turnover(const CityFit& fit) {
   }
 }
 
+/// How many pairs of regions a period's trips have, and how many trips stay in their region.
+void print_trips(const CityModel& model) {
+  std::printf("\nwhere trips go, by period from\n");
+  for (const TripPeriod& period : model.trips) {
+    double within = 0.0;
+    for (const TripShare& pair : period.shares) {
+      within += pair.origin == pair.destination ? pair.share : 0.0;
+    }
+    std::printf("%02d:%02d  %zu pairs of regions; %.1f %% of a region's trips end in it, on average\n",
+                period.start / 60, period.start % 60, period.shares.size(), percent(within, model.regions()));
+  }
+}
+
 }  // namespace
 
 void print_fit(const City& city, const CityFit& fit) {
@@ -153,6 +166,7 @@ void print_fit(const City& city, const CityFit& fit) {
   print_alarm("demand", fit.demand);
   print_alarm("completions", fit.completions);
   print_turnover(fit);
+  print_trips(fit.model);
 }
 
 }  // namespace evbal

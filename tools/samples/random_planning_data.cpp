@@ -103,6 +103,13 @@ PlanningData random_planning_data(std::uint64_t seed, const DataShape& shape) {
   for (int k = 0; k < shape.tau; ++k) {
     data.transitions.push_back(transitions(random, within));
   }
+  constexpr int slots = 6;
+  data.freed.mean.setZero(n, slots);
+  for (int k = 0; k < slots; ++k) {
+    const Eigen::VectorXd before = k > 0 ? Eigen::VectorXd(data.freed.mean.col(k - 1)) : Eigen::VectorXd::Zero(n);
+    data.freed.mean.col(k) = before + matrix(n, 1, [&] { return random.uniform(0.0, 0.1 * cars); });
+  }
+  data.freed.variance = 0.5 * data.freed.mean;
   return data;
 }
 

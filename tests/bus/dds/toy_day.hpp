@@ -37,6 +37,10 @@ inline CityModel rough_model(const City& city) {
   model.demand = flat_series(n, 8.0, 4);
   model.completions = flat_series(n, 1.0, 4);
   model.periods = {{city.day_start, {0.5 * stay, spread, 0.1 * stay, stay, Eigen::MatrixXd::Zero(n, n)}}};
+  model.trips = {{city.day_start, {}}};
+  for (int i = 0; i < n; ++i) {
+    model.trips.front().shares.push_back({i, i, 1.0});
+  }
   model.turnover = {.demand = {.linear = {1.4}, .quadratic = {0.0}},
                     .phi = 0.5,
                     .same_step_dropoffs = Eigen::MatrixXd::Constant(n, n, 0.1)};
