@@ -82,12 +82,12 @@ class FlowFormulator {
     }
   }
 
-  // p_s / K  E[(N_i(k) - C)_+]: a hinge of C for each value of N_i(k)
+  // p_f / K  E[(N_i(k) - C)_+]: a hinge of C for each value of N_i(k)
   std::vector<Hinge> missed(int k, int i) const {
     const DiscreteDistribution N = passengers(k, i);
     std::vector<Hinge> hinges;
     for (std::size_t m = 0; m < N.values.size(); ++m) {
-      hinges.push_back({"shortage", -p_.p_shortage / K_ * N.probabilities[m], N.values[m]});
+      hinges.push_back({"shortage", -p_.p_flow / K_ * N.probabilities[m], N.values[m]});
     }
     return hinges;
   }

@@ -21,7 +21,7 @@
 //
 //   C_i(k) = C_i(k-1) + freed_i(k) - freed_i(k-1) + in_i(k) - out_i(k)          row "cars"
 //   out_i(m) <= C_i(m-1)                                                        row "set off"
-//   min  sum w_ij x_ij(m)  +  p_s / K  sum_k E[(N_i(k) - C_i(k))_+]             terms "km" and "shortage"
+//   min  sum w_ij x_ij(m)  +  p_f / K  sum_k E[(N_i(k) - C_i(k))_+]             terms "km" and "shortage"
 //
 //   out_i(m) = sum_j x_ij(m);   in_i(k) = sum of those x_ji(m) for which k is the first slot with
 //   m delta + t_ji <= (k+1) delta.  Arcs (arcs.hpp) are those within flow_m1 and flow_neighbours, and only where cars

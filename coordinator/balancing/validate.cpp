@@ -108,6 +108,7 @@ void check_parameters(Complaint& complaint, const BalancingParameters& p) {
   complaint.require(p.p_shortage, 0.0, most_price, "parameter p_shortage");
   complaint.require(p.p_surplus, 0.0, most_price, "parameter p_surplus");
   complaint.require(p.p_ratio, 0.0, most_price, "parameter p_ratio");
+  complaint.require(p.p_flow, 0.0, most_price, "parameter p_flow");
   complaint.require(p.eta, 0.0, 1.0, "parameter eta");
   complaint.require(p.m1, 0.0, infinity, "parameter m1");
   complaint.require(p.m2, 0.0, infinity, "parameter m2");

@@ -113,10 +113,10 @@ RC_GTEST_PROP(ControllersProperty, UnitsOfLengthDoNotMatter, ()) {
   const double factor = *rc::gen::element(0.1, 0.5, 1.6, 7.0);
   const double expected = factor * optimum_by_any_engine(controller, data, parameters);
   data.km *= factor;
-  for (auto price :
-       {&BalancingParameters::m1, &BalancingParameters::flow_m1, &BalancingParameters::m2,
-        &BalancingParameters::theta_0, &BalancingParameters::omega, &BalancingParameters::pi_e,
-        &BalancingParameters::p_shortage, &BalancingParameters::p_surplus, &BalancingParameters::p_ratio}) {
+  for (auto price : {&BalancingParameters::m1, &BalancingParameters::flow_m1, &BalancingParameters::m2,
+                     &BalancingParameters::theta_0, &BalancingParameters::omega, &BalancingParameters::pi_e,
+                     &BalancingParameters::p_shortage, &BalancingParameters::p_surplus, &BalancingParameters::p_ratio,
+                     &BalancingParameters::p_flow}) {
     parameters.*price *= factor;
   }
   data.state.plugged = data.state.plugged.cwiseMin(data.points.rowwise().minCoeff());  // z costs the same in any unit

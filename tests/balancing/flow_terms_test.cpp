@@ -16,6 +16,8 @@
 namespace evbal {
 namespace {
 
+const double p_flow = BalancingParameters{}.p_flow;
+
 // A city without passengers, cars and chargers, in which all ways are of 5 km and 15 minutes.
 PlanningData empty_city(int regions) {
   PlanningData data = random_planning_data(1, {.regions = regions, .rank = 0, .station_share = 0.0});
@@ -82,14 +84,14 @@ TEST(Flow, CountsACarOnce) {
   data.state.waiting << 0.0, 1.25, 1.25;
   const BalancingResult one = flow(data, {}, Uncertainty::mean);
   ASSERT_EQ(one.dispatch.vacant.front().size(), 1U);
-  EXPECT_NEAR(cost_of("shortage", one), 12.0 * (1.0 + 1.0 / 6.0), 1e-6) << "a passenger waits, one for a slot of six";
+  EXPECT_NEAR(cost_of("shortage", one), p_flow * (1.0 + 1.0 / 6.0), 1e-6) << "a passenger waits, one for a slot of six";
   // A car on its way to one of them is none the less one car, and none is sent after it.
   data.state.vacant.setZero();
   data.freed.mean.row(1).tail(5).setOnes();
   data.state.waiting(2) = 0.0;
   const BalancingResult under_way = flow(data, {}, Uncertainty::mean);
   EXPECT_TRUE(under_way.dispatch.vacant.front().empty());
-  EXPECT_NEAR(cost_of("shortage", under_way), 12.0 / 6.0, 1e-6);
+  EXPECT_NEAR(cost_of("shortage", under_way), p_flow / 6.0, 1e-6);
 }
 
 // Cars that become vacant are sent in the slot after, at the earliest.
@@ -100,7 +102,7 @@ TEST(Flow, SendsNobodyWhoIsNotThereYet) {
   const BalancingResult result = flow(data, {}, Uncertainty::mean);
   EXPECT_TRUE(result.dispatch.vacant.front().empty());
   EXPECT_NEAR(cost_of("km", result), 5.0, 1e-6) << "it is sent in slot 1";
-  EXPECT_NEAR(cost_of("shortage", result), 12.0 * 2.0 / 6.0, 1e-6) << "and there by the end of slot 2";
+  EXPECT_NEAR(cost_of("shortage", result), p_flow * 2.0 / 6.0, 1e-6) << "and there by the end of slot 2";
 }
 
 TEST(Flow, PricesTheExpectedShortageOfItsDistribution) {
@@ -117,7 +119,7 @@ TEST(Flow, PricesTheExpectedShortageOfItsDistribution) {
       const double variance = data.turnover.demand.at(k / 3, mean) + data.freed.variance(0, k);
       const DiscreteDistribution law = negative_binomial(mean, variance, 1.0 / 24.0);
       for (std::size_t m = 0; m < law.values.size(); ++m) {
-        expected += 12.0 / 6.0 * law.probabilities[m] * std::max(0.0, law.values[m] - vacant - data.freed.mean(0, k));
+        expected += p_flow / 6.0 * law.probabilities[m] * std::max(0.0, law.values[m] - vacant - data.freed.mean(0, k));
       }
     }
     EXPECT_NEAR(cost_of("shortage", flow(data)), expected, 1e-6) << vacant << " vacant";
@@ -189,7 +191,7 @@ TEST(Flow, AgreesWithBruteForceOverWholeCars) {
     data.freed.variance = Eigen::MatrixXd::Zero(3, 3);
     data.demand.mean = 3.0 * (random.demand.mean / 8.0).array().floor();  // whole passengers a slot
     const CumulativeDemand demand(data);
-    const double price = parameters.p_shortage / 3.0;
+    const double price = parameters.p_flow / 3.0;
     const auto sure = [&](int i, int k, double C) {
       return price * std::max(0.0, demand.within(10.0 * (k + 1), i) - C);
     };
@@ -217,7 +219,6 @@ RC_GTEST_PROP(Flow, KeepsTheFleet, ()) {
   const auto seed = *rc::gen::arbitrary<std::uint64_t>();
   const auto data = random_planning_data(seed, {.regions = *rc::gen::inRange(1, 7)});
   BalancingParameters parameters;
-  parameters.p_shortage = 60.0;
   const Formulation formulation = formulate(parameters, data, {Shortage::flow, Uncertainty::counts, Uncertainty::mean});
   const Solution solution = solve(formulation.program, {.name = "cuts"});
   RC_ASSERT(solution.certificate.optimal());

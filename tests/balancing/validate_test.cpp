@@ -59,6 +59,7 @@ std::vector<Datum> all_data() {
       {"p_shortage", [](auto&, auto& p) -> double& { return p.p_shortage; }},
       {"p_surplus", [](auto&, auto& p) -> double& { return p.p_surplus; }},
       {"p_ratio", [](auto&, auto& p) -> double& { return p.p_ratio; }},
+      {"p_flow", [](auto&, auto& p) -> double& { return p.p_flow; }},
   };
 }
 
