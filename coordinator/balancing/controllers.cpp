@@ -11,17 +11,19 @@
 
 namespace evbal {
 
+// `flow` starts afresh: in its slots, which move on with every plan, the last basis costs more than it saves.
 PlanFunction optimum(const FormulationOptions& options) {
   return [options](const BalancingParameters& parameters, const PlanningData& data, const EngineSettings& engine) {
     const Formulation formulation = formulate(parameters, data, options);
-    const Solution solution = solve(formulation.program, engine, data.start);
+    const bool carries_on = options.shortage != Shortage::flow;
+    const Solution solution = solve(formulation.program, engine, carries_on ? data.start : Start{});
     if (!solution.certificate.optimal()) {
       return BalancingResult{.dispatch = {}, .certificate = solution.certificate, .cost = {}};
     }
     return BalancingResult{.dispatch = dispatch_at(formulation, solution.x),
                            .certificate = solution.certificate,
                            .cost = formulation.program.cost_by_term(solution.x),
-                           .start = solution.start};
+                           .start = carries_on ? solution.start : Start{}};
   };
 }
 

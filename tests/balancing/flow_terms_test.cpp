@@ -126,6 +126,15 @@ TEST(Flow, PricesTheExpectedShortageOfItsDistribution) {
   }
 }
 
+TEST(Flow, StartsAfresh) {
+  PlanningData data = random_planning_data(2, {.regions = 5});
+  const BalancingResult first = flow(data);
+  EXPECT_TRUE(first.start.empty());
+  data.start = balance("nominal", {}, data, {.name = "cuts"}).start;
+  EXPECT_FALSE(data.start.empty());
+  EXPECT_EQ(flow(data).certificate.objective, first.certificate.objective);
+}
+
 // A car: where it becomes vacant, and by the end of which slot; -1 is now.
 struct Car {
   int region;
