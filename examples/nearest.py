@@ -17,7 +17,8 @@ def balance(km, spare, missing, errand):
             yield {"from": i, "to": j, "count": count, "errand": errand}
 
 
-def plan(km, reports):
+def plan(opening, reports):
+    km = opening["city"]["km"]
     spare, missing, low, free = {}, {}, {}, {}
     for report in reports:  # a region without a report sends and gets nobody
         i = report["region"]
@@ -28,8 +29,13 @@ def plan(km, reports):
         low[i] = min(report["low_battery"], -free[i])
     yield from balance(km, spare, missing, "rebalance")
     yield from balance(km, low, free, "charge")
+    for report in reports if opening["top_up"] else []:  # who is still to spare charges where it is
+        i = report["region"]
+        count = min(spare[i], report["chargeable"], free[i])
+        if count > 0:
+            yield {"from": i, "to": i, "count": count, "errand": "charge"}
 
 
-km = json.loads(sys.stdin.readline())["city"]["km"]
+opening = json.loads(sys.stdin.readline())
 for line in sys.stdin:
-    print(json.dumps({"moves": list(plan(km, json.loads(line)["reports"]))}), flush=True)
+    print(json.dumps({"moves": list(plan(opening, json.loads(line)["reports"]))}), flush=True)

@@ -16,10 +16,10 @@ struct Measured {
 
 /// All of them, in the order of ReportField.
 inline constexpr std::array measured = {
-    Measured{"vacant", &Report::vacant},          Measured{"low_battery", &Report::low_battery},
-    Measured{"plugged", &Report::plugged},        Measured{"points", &Report::points},
-    Measured{"waiting", &Report::waiting},        Measured{"demand", &Report::demand},
-    Measured{"completions", &Report::completions}};
+    Measured{"vacant", &Report::vacant},           Measured{"low_battery", &Report::low_battery},
+    Measured{"plugged", &Report::plugged},         Measured{"points", &Report::points},
+    Measured{"waiting", &Report::waiting},         Measured{"demand", &Report::demand},
+    Measured{"completions", &Report::completions}, Measured{"chargeable", &Report::chargeable}};
 
 /// Position of a field among those measured; `field` is not `none`.
 constexpr std::size_t index_of(ReportField field) {

@@ -258,6 +258,7 @@ std::string validate(const Departures& message, const MessageBounds& bounds) {
   check.within("refused", message.refused, 0, std::numeric_limits<std::int32_t>::max());
   for (const auto& [name, value] : {std::pair{"demand", message.demand},
                                     {"completions", message.completions},
+                                    {"topped_up", message.topped_up},
                                     {"queue_minutes", message.queue_minutes},
                                     {"stranded", message.stranded},
                                     {"vacant", message.vacant},

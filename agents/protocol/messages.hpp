@@ -113,6 +113,7 @@ enum class ReportField : std::uint8_t {
   waiting = 5,
   demand = 6,
   completions = 7,
+  chargeable = 8,
 };
 
 /// The processes that a fault may act on; an agent is named by its region.
@@ -169,12 +170,16 @@ struct Report {
   std::int32_t waiting = 0;                 ///< passengers
   std::int32_t demand = 0;                  ///< passengers who appeared since the region's last report
   std::int32_t completions = 0;             ///< sessions that ended charged since the last report
+  std::int32_t chargeable = 0;              ///< vacant vehicles with less than 85 % of their battery
   std::vector<std::int32_t> plugged_since;  ///< minute at which each plugged car began, ascending
-  std::vector<UnderWay> bound;              ///< arrivals of this tick and cars under way to here, by (minute, errand)
-  Origin origin;                            ///< who wrote it
+  std::vector<std::int32_t> reach_m;  ///< metres that low-battery vehicles can still drive, of those that do not get
+                                      ///< to every region; ascending
+  std::vector<UnderWay> bound;        ///< arrivals of this tick and cars under way to here, by (minute, errand)
+  Origin origin;                      ///< who wrote it
 };
 
-/// An order to send `count` vehicles.
+/// An order to send `count` vehicles: vacant ones to another region (rebalance), low-battery ones to another region
+/// (charge), or, where the world knows top-up charging, vacant ones to the chargers of their own (charge, from == to).
 struct Move {
   std::int32_t from = 0;              ///< region
   std::int32_t to = 0;                ///< region
@@ -266,6 +271,7 @@ struct Departures {
   std::vector<Fate> fates;            ///< by (minute settled, appeared, order of arrival)
   std::vector<Observed> observed;     ///< by fault
   std::int32_t refused = 0;           ///< vehicles that the plan asked for and the region did not have
+  std::int32_t topped_up = 0;         ///< vacant vehicles that joined the queue for a charger because the plan said so
   std::int32_t demand = 0;            ///< passengers who appeared
   std::int32_t completions = 0;       ///< sessions that ended charged
   std::int32_t queue_minutes = 0;     ///< vehicle-minutes that low-battery cars waited in regions with stations

@@ -120,12 +120,13 @@ void RegionPlant::break_down() {
   }
 }
 
-int RegionPlant::vacant_as_told() const {
-  int vacant = size_of(state_.vacant);
+std::vector<Vehicle> RegionPlant::vacant_as_told() const {
+  std::vector<Vehicle> vacant = state_.vacant;
   for (const auto& effect : incoming_.effects) {
     for (const auto& broken : state_.broken) {
-      const bool hidden = effect.type == EffectType::fleet_breakdown && !effect.visible;
-      vacant += hidden && broken.fault == effect.fault ? 1 : 0;
+      if (effect.type == EffectType::fleet_breakdown && !effect.visible && broken.fault == effect.fault) {
+        vacant.push_back(broken.vehicle);
+      }
     }
   }
   return vacant;

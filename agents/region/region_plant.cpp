@@ -76,7 +76,11 @@ Report RegionPlant::report() {
   Report report;
   report.tick = said_.tick;
   report.region = region_;
-  report.vacant = vacant_as_told();
+  const std::vector<Vehicle> vacant = vacant_as_told();
+  const double full = chargeable_below * world_->city.fleet.battery_kwh;
+  report.vacant = size_of(vacant);
+  report.chargeable = static_cast<std::int32_t>(
+      std::ranges::count_if(vacant, [&](const Vehicle& vehicle) { return vehicle.battery_kwh < full; }));
   report.low_battery = size_of(state_.queue);
   report.plugged = size_of(state_.sessions);
   report.points = std::max(points_left(true) - points_blocked(true), report.plugged);
@@ -86,6 +90,7 @@ Report RegionPlant::report() {
   for (const auto& session : state_.sessions) {
     report.plugged_since.push_back(session.since);
   }
+  report.reach_m = short_reach();
   std::map<std::pair<int, Errand>, int> bound;
   for (const auto& arrival : incoming_.arrivals) {
     ++bound[{arrival.minute, arrival.errand}];
@@ -97,6 +102,19 @@ Report RegionPlant::report() {
     report.bound.push_back({.region = region_, .minute = when.first, .errand = when.second, .count = count});
   }
   return sensed(report, incoming_.effects, world_->clock.tick, world_->seed, state_.sensors, said_.observed);
+}
+
+std::vector<std::int32_t> RegionPlant::short_reach() const {
+  const double drain = factor(EffectType::fleet_drain, true);
+  const double farthest = *std::ranges::max_element(trip_kwh_) * drain;
+  std::vector<std::int32_t> metres;
+  for (const auto& vehicle : state_.queue) {
+    if (vehicle.battery_kwh < farthest) {
+      metres.push_back(static_cast<std::int32_t>(1000.0 * vehicle.battery_kwh * world_->city.fleet.km_per_kwh / drain));
+    }
+  }
+  std::ranges::sort(metres);
+  return metres;
 }
 
 Departures RegionPlant::live(const Plan* plan) {
@@ -137,23 +155,35 @@ void RegionPlant::send_by_own_rule() {
   }
 }
 
+// The farthest move has the fewest cars to choose from; who tops up must not be sent on.
 void RegionPlant::send_off(const Plan& plan) {
-  const bool of_now = plan.tick == said_.tick;
+  std::vector<Move> moves;
+  std::ranges::copy_if(plan.moves, std::back_inserter(moves),
+                       [&](const Move& move) { return move.from == region_ && move.count > 0; });
+  std::ranges::stable_sort(moves, std::ranges::greater{}, [&](const Move& move) { return energy_for(move); });
   std::int64_t refused = 0;
-  for (const auto& move : plan.moves) {
-    if (move.from != region_ || move.count <= 0) {
-      continue;
-    }
-    const bool somewhere = of_now && move.to >= 0 && move.to < world_->city.size() && move.to != region_;
-    int sent = 0;
-    if (somewhere && move.errand == Errand::rebalance) {
-      sent = send_vacant(move.to, move.count);
-    } else if (somewhere && move.errand == Errand::charge) {
-      sent = send_low_battery(move.to, move.count);
-    }
-    refused += move.count - sent;
+  for (const Move& move : moves) {
+    refused += move.count - (plan.tick == said_.tick ? send(move) : 0);
   }
   said_.refused = static_cast<std::int32_t>(std::min<std::int64_t>(refused, std::numeric_limits<std::int32_t>::max()));
+}
+
+// That a car must have to do what it is told; none to stay.
+double RegionPlant::energy_for(const Move& move) const {
+  if (move.to < 0 || move.to >= world_->city.size() || move.to == region_) {
+    return 0.0;
+  }
+  return move.errand == Errand::rebalance ? need_kwh_[move.to] : trip_kwh_[move.to];
+}
+
+int RegionPlant::send(const Move& move) {
+  if (move.to < 0 || move.to >= world_->city.size() || move.errand == Errand::passenger) {
+    return 0;
+  }
+  if (move.errand == Errand::rebalance) {
+    return move.to == region_ ? 0 : send_vacant(move.to, move.count);
+  }
+  return move.to == region_ ? top_up(move.count) : send_low_battery(move.to, move.count);
 }
 
 int RegionPlant::send_vacant(int to, int count) {
@@ -177,6 +207,19 @@ int RegionPlant::send_low_battery(int to, int count) {
       ++sent;
     }
   }
+  return sent;
+}
+
+int RegionPlant::top_up(int count) {
+  const double full = chargeable_below * world_->city.fleet.battery_kwh;
+  const int most = world_->city.charging.top_up && points_ > 0 ? count : 0;
+  int sent = 0;
+  while (sent < most && !state_.vacant.empty() && state_.vacant.front().battery_kwh < full) {
+    state_.queue.push_back(state_.vacant.front());
+    state_.vacant.erase(state_.vacant.begin());
+    ++sent;
+  }
+  said_.topped_up += sent;
   return sent;
 }
 

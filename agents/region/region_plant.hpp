@@ -46,6 +46,9 @@ struct VehiclePlace {
   VehicleState state = VehicleState::vacant;  ///< what it is doing
 };
 
+/// Share of the battery below which a vacant vehicle may be told to top up.
+inline constexpr double chargeable_below = 0.85;
+
 /// One region as it really is: whole vehicles, minute by minute. Per tick call begin, then report if a plan is due,
 /// then live.
 ///
@@ -55,13 +58,14 @@ struct VehiclePlace {
 /// has had a session. A session keeps its point for the minutes drawn, charges at full power until the battery is
 /// full, and ends `completed` unless the car is still low; then the car queues again.
 ///
-/// **A tick.** Vehicles break down and points fail (below) before the report. Then the plan's moves go, in its order:
-/// vacant cars from the highest charge down, low-battery cars from the queue's tail, each only if it can get there
-/// (and, if vacant, on to a station). Then for each minute: cars arrive; sessions end; the queue's head plugs in;
-/// passengers appear; waiting passengers, first come first served, get the car with the lowest sufficient charge, or
-/// are lost when their patience has run out; plugged cars gain a minute's energy. A trip takes the mean minutes of its
-/// pair, rounded up, and costs its mean km, which the departing car's battery already shows. It arrives in a later
-/// tick, so a shorter trip takes until this tick's end.
+/// **A tick.** Vehicles break down and points fail (below) before the report. Then the plan's moves go, the farthest
+/// first: vacant cars from the highest charge down, low-battery cars from the queue's tail, each only if it can get
+/// there (and, if vacant, on to a station). In a world that knows top-up charging, vacant cars that are told to charge
+/// here then join the queue, from the lowest charge up, if they are chargeable_below. Then for each minute: cars
+/// arrive; sessions end; the queue's head plugs in; passengers appear; waiting passengers, first come first served, get
+/// the car with the lowest sufficient charge, or are lost when their patience has run out; plugged cars gain a minute's
+/// energy. A trip takes the mean minutes of its pair, rounded up, and costs its mean km, which the departing car's
+/// battery already shows. It arrives in a later tick, so a shorter trip takes until this tick's end.
 ///
 /// **Failing points.** Free points fail first. `evict` unplugs the cars that came last and puts them at the queue's
 /// head; with `drain` a point in use fails when its session ends. `points` therefore counts max(points left, points in
@@ -116,7 +120,8 @@ class RegionPlant {
   int points_left(bool visible_only) const;
   int working_points(bool visible_only) const;
   int points_blocked(bool visible_only) const;
-  int vacant_as_told() const;
+  std::vector<Vehicle> vacant_as_told() const;
+  std::vector<std::int32_t> short_reach() const;
   void fail_points();
   void break_down();
   void mend();
@@ -125,8 +130,11 @@ class RegionPlant {
 
   void send_by_own_rule();
   void send_off(const Plan& plan);
+  double energy_for(const Move& move) const;
+  int send(const Move& move);
   int send_vacant(int to, int count);
   int send_low_battery(int to, int count);
+  int top_up(int count);
   void depart(Vehicle vehicle, int to, Errand errand, int minute);
 
   void live_minute(int minute);

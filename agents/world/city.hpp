@@ -62,6 +62,7 @@ struct ChargingAssumption {
   double power_kw = 0.0;  ///< of each point
   /// Quantiles of a session's minutes at equally spaced probabilities 0, 1/(n-1), ..., 1; at least two, ascending.
   std::vector<double> session_quantiles;
+  bool top_up = false;  ///< whether vacant vehicles may be told to charge where they stand; a scenario's, not a pack's
 };
 
 /// Passengers' patience, which the records do not tell.

@@ -166,6 +166,9 @@ void override_charging(const YamlValue& value, ChargingAssumption& charging) {
     }
     charging.session_quantiles = std::move(minutes);
   }
+  if (const auto top_up = map.find("top_up")) {
+    charging.top_up = top_up->boolean();
+  }
   map.finish();
 }
 
@@ -316,7 +319,7 @@ void write_world(YamlWriter& yaml, const World& world) {
   for (const double minutes : city.charging.session_quantiles) {
     yaml.minutes(minutes);
   }
-  yaml.end_list().end_map();
+  yaml.end_list().key("top_up").boolean(city.charging.top_up).end_map();
   yaml.key("passengers").begin_map(one_line).key("patience").begin_list();
   yaml.minutes(city.passengers.patience_low).minutes(city.passengers.patience_high).end_list().end_map();
   yaml.key("stations").begin_list();

@@ -24,7 +24,14 @@ class FlowFormulator {
         in_(K_, Expressions(N_)),
         out_(K_, Expressions(N_)) {}
 
-  std::vector<ArcFlow> formulate() {
+  std::vector<ArcFlow> formulate(const std::vector<ArcFlow>& top_ups) {
+    const int back = slot_of(data_.mean_session_minutes / p_.flow_slot);
+    for (const auto& [arc, amount] : top_ups) {
+      out_[0][arc.from] += amount;
+      if (back < K_) {
+        in_[back][arc.from] += amount;
+      }
+    }
     const std::vector<Arc> arcs = vacant_arcs(data_.km, p_.flow_m1, p_.flow_neighbours);
     std::vector<ArcFlow> now;
     Expression km;
@@ -62,9 +69,11 @@ class FlowFormulator {
 
   // The slot by whose end a car is there that sets off at the start of slot m; K if none is.
   int arrival_slot(int m, const Arc& arc) const {
-    const double slots = m + std::ceil(data_.minutes(arc.from, arc.to)) / p_.flow_slot;
-    return slots > K_ ? K_ : std::max(m, static_cast<int>(std::ceil(slots)) - 1);
+    return std::max(m, slot_of(m + std::ceil(data_.minutes(arc.from, arc.to)) / p_.flow_slot));
   }
+
+  // The slot by whose end so many slots have passed; K if none is.
+  int slot_of(double slots) const { return slots > K_ ? K_ : std::max(0, static_cast<int>(std::ceil(slots)) - 1); }
 
   double freed(int i, int k) const { return k < 0 ? 0.0 : data_.freed.mean(i, k); }
 
@@ -115,8 +124,8 @@ class FlowFormulator {
 }  // namespace
 
 std::vector<ArcFlow> add_flow(const BalancingParameters& parameters, const PlanningData& data, Uncertainty demand,
-                              ConvexProgram& program) {
-  return FlowFormulator(parameters, data, demand, program).formulate();
+                              const std::vector<ArcFlow>& top_ups, ConvexProgram& program) {
+  return FlowFormulator(parameters, data, demand, program).formulate(top_ups);
 }
 
 }  // namespace evbal

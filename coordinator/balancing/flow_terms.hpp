@@ -24,7 +24,8 @@
 //   min  sum w_ij x_ij(m)  +  p_f / K  sum_k E[(N_i(k) - C_i(k))_+]             terms "km" and "shortage"
 //
 //   out_i(m) = sum_j x_ij(m);   in_i(k) = sum of those x_ji(m) for which k is the first slot with
-//   m delta + t_ji <= (k+1) delta.  Arcs (arcs.hpp) are those within flow_m1 and flow_neighbours, and only where cars
+//   m delta + t_ji <= (k+1) delta.  Cars that top up (top_up.hpp) set off in slot 0 too, and are back after a mean
+//   session.  Arcs (arcs.hpp) are those within flow_m1 and flow_neighbours, and only where cars
 //   arrive within the K slots. N_i(k) is negative binomial; its variance is that of demand around its forecast
 //   and that of freed_i(k) together, for only N_i - C_i matters.
 //
@@ -34,9 +35,9 @@
 namespace evbal {
 
 /// Adds the problem above to the program. Gives the x_ij(0), by (i, j): what is carried out before the next plan. The
-/// number of slots is that of the columns of `data.freed`. N_i(k) is what is expected, surely, if `demand` is
-/// Uncertainty::mean.
+/// number of slots is that of the columns of `data.freed`; `top_ups` are variables of the program. N_i(k) is what is
+/// expected, surely, if `demand` is Uncertainty::mean.
 std::vector<ArcFlow> add_flow(const BalancingParameters& parameters, const PlanningData& data, Uncertainty demand,
-                              ConvexProgram& program);
+                              const std::vector<ArcFlow>& top_ups, ConvexProgram& program);
 
 }  // namespace evbal

@@ -1,9 +1,12 @@
 #include "coordinator/balancing/formulation.hpp"
 
 #include "coordinator/balancing/flow_terms.hpp"
+#include "coordinator/balancing/send_limits.hpp"
 #include "coordinator/balancing/shortage_terms.hpp"
+#include "coordinator/balancing/top_up.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -47,7 +50,9 @@ class Formulator {
         model_(uncertainty_model(parameters, data, options)),
         shortage_(parameters, data, options, model_, program_),
         N_(static_cast<int>(data.km.rows())),
-        tau_(static_cast<int>(data.points.cols())) {
+        tau_(static_cast<int>(data.points.cols())),
+        topped_up_(data.km.rows()),
+        session_(static_cast<int>(std::ceil(data.mean_session_minutes / data.step_minutes))) {
     for (int i = 0; i < N_; ++i) {
       station_.push_back(data.points.row(i).maxCoeff() > 0.0);
     }
@@ -60,6 +65,10 @@ class Formulator {
     const Eigen::MatrixXd unsent = flow ? vacant_without_dispatch(data_, model_.c_low) : Eigen::MatrixXd();
     result_.stock.push_back({constants(data_.state.vacant), constants(data_.state.occupied),
                              constants(data_.state.low_battery), constants(data_.state.plugged)});
+    result_.top_up = add_top_ups(p_, data_, program_);
+    for (const auto& [arc, amount] : result_.top_up) {
+      topped_up_[arc.from] += amount;
+    }
     for (int k = 0; k < tau_; ++k) {
       const Stock& stock = result_.stock[k];
       Step step;
@@ -75,43 +84,67 @@ class Formulator {
     worst_case_utilisation();
     if (flow) {
       result_.vacant.resize(tau_);
-      result_.vacant.front() = add_flow(p_, data_, options_.demand, program_);
+      result_.vacant.front() = add_flow(p_, data_, options_.demand, result_.top_up, program_);
     }
     return std::move(result_);
   }
 
  private:
-  // S_i = V_i + sum_j x_ji - sum_j x_ij,    sum_j x_ji <= S_i,    cost: sum w x
+  // S_i = V_i + come_i - t_i + sum_j x_ji - sum_j x_ij,    come_i + sum_j x_ji <= S_i,    cost: sum w x
   Variables send_vacant(int k, const Expressions& V) {
     const Variables S = program_.add_block({"S", k}, N_, -ConvexProgram::infinity);
     const Sent x = send("x", k, vacant_arcs_, V, result_.vacant);
     for (int i = 0; i < N_; ++i) {
-      program_.add(S[i] == V[i] + x.in[i] - x.out[i], {"supply", k, i});
+      const Expression come = data_.state.arriving_vacant(i, k) + topped_up(i, k == session_);
+      program_.add(S[i] == V[i] + come - topped_up(i, k == 0) + x.in[i] - x.out[i], {"supply", k, i});
       if (!x.out[i].terms().empty()) {
-        program_.add(x.in[i] <= S[i], {"sent", k, i});
+        program_.add(come + x.in[i] <= S[i], {"sent", k, i});
       }
     }
     program_.minimise("km", x.km);
     return S;
   }
 
-  // Y_i = L_i + sum_j y_ji - sum_j y_ij,    sum_j y_ji <= Y_i,    cost: beta sum w y
+  // t_i, in the steps in which it counts
+  Expression topped_up(int i, bool counts) const { return counts ? topped_up_[i] : 0.0; }
+
+  // Y_i = L_i + aL_i + sum_j y_ji - sum_j y_ij,    aL_i + sum_j y_ji <= Y_i,    cost: beta sum w y
   Expressions send_low_battery(int k, const Expressions& L) {
     const Sent y = send("y", k, low_battery_arcs_, L, result_.low_battery);
     Expressions Y;
     for (int i = 0; i < N_; ++i) {
-      Y.push_back(L[i] + y.in[i] - y.out[i]);
+      const double come = data_.state.arriving_low_battery(i, k);
+      Y.push_back(L[i] + come + y.in[i] - y.out[i]);
       if (station_[i]) {
         const Variable there = variable_for(Y[i], {"Y", k, i}, {"low-battery", k, i});
         utilisation(k, i, there);
         Y[i] = there;
       }
       if (!y.out[i].terms().empty()) {
-        program_.add(y.in[i] <= Y[i], {"sent to charge", k, i});
+        program_.add(come + y.in[i] <= Y[i], {"sent to charge", k, i});
       }
+    }
+    if (k == 0) {
+      stay_within_reach();
     }
     program_.minimise("km", p_.beta * y.km);
     return Y;
+  }
+
+  // sum_(j: w_ij >= w) y_ij <= R_i(w)
+  void stay_within_reach() {
+    std::vector<Arc> arcs;
+    for (const auto& flow : result_.low_battery.front()) {
+      arcs.push_back(flow.arc);
+    }
+    for (const auto& limit : reach_limits(data_.state, arcs)) {
+      Expression sent;
+      for (const auto& [arc, amount] : result_.low_battery.front()) {
+        const bool is_far = std::ranges::find(limit.targets, arc.to) != limit.targets.end();
+        sent.add(arc.from == limit.from && is_far ? 1.0 : 0.0, amount);
+      }
+      program_.add(sent <= limit.most, {"within reach", 0, limit.from});
+    }
   }
 
   // One variable per arc that leaves a region with vehicles.
@@ -147,7 +180,8 @@ class Formulator {
   void charge(int k, const Expressions& B, Step& step) {
     for (int i = 0; i < N_; ++i) {
       const Expression e = release(k, i, B[i]);
-      const Expression u = station_[i] ? plug_in(k, i, step.Y[i], data_.points(i, k) - B[i] + e) : 0.0;
+      const Expression u =
+          station_[i] ? plug_in(k, i, step.Y[i], data_.points(i, k) - B[i] - topped_up(i, k < session_) + e) : 0.0;
       program_.minimise("queue", p_.omega * (step.Y[i] - u));
       program_.minimise("release", p_.pi_e * (model_.c_low(i, k) - e));
       step.e.push_back(e);
@@ -170,7 +204,7 @@ class Formulator {
     return e;
   }
 
-  // u_i <= Y_i,    u_i <= P_i - B_i + e_i + z_i,    cost: z above any gain from u
+  // u_i <= Y_i,    u_i <= P_i - B_i - t_i + e_i + z_i,    cost: z above any gain from u
   Expression plug_in(int k, int i, const Expression& Y, Expression free_points) {
     constexpr double z_price = 1000.0;
     if (data_.points(i, k) < data_.state.plugged(i)) {
@@ -202,16 +236,16 @@ class Formulator {
     program_.minimise_norm("utilisation", std::move(norm));
   }
 
-  // V+_i = sum_j Pv_ji S_j + sum_j Qv_ji O_j + e_i + aV_i          L+_i = Y_i - u_i + sum_j Pl_ji S_j + aL_i
-  // O+_i = sum_j Po_ji S_j + sum_j Qo_ji O_j                       B+_i = B_i + u_i - e_i
+  // V+_i = sum_j Pv_ji S_j + sum_j Qv_ji O_j + e_i          L+_i = Y_i - u_i + sum_j Pl_ji S_j
+  // O+_i = sum_j Po_ji S_j + sum_j Qo_ji O_j                B+_i = B_i + u_i - e_i
   Stock next_stock(int k, const Stock& stock, const Step& step) {
     const auto& [Pv, Po, Pl, Qv, Qo] = data_.transitions[k];
     const auto& [S, Y, u, e] = step;
     Stock next;
     const bool come_back = k + 2 < tau_;  // occupied cars, within the horizon, as vacant
     for (int i = 0; i < N_; ++i) {
-      Expression V = e[i] + data_.state.arriving_vacant(i, k);
-      Expression L = Y[i] - u[i] + data_.state.arriving_low_battery(i, k);
+      Expression V = e[i];
+      Expression L = Y[i] - u[i];
       Expression O;
       for (int j = 0; j < N_; ++j) {
         V.add(Pv(j, i), S[j]).add(Qv(j, i), stock.O[j]);
@@ -249,6 +283,8 @@ class Formulator {
   ShortageTerms shortage_;
   int N_;
   int tau_;
+  Expressions topped_up_;      // t
+  int session_;                // steps for which they are away
   std::vector<bool> station_;  // C: points work at some step of the horizon
   std::vector<Arc> vacant_arcs_;
   std::vector<Arc> low_battery_arcs_;
@@ -277,7 +313,9 @@ Formulation formulate(const BalancingParameters& parameters, const PlanningData&
 }
 
 Dispatch dispatch_at(const Formulation& formulation, const Eigen::VectorXd& x) {
-  return {.vacant = flows_at(formulation.vacant, x), .low_battery = flows_at(formulation.low_battery, x)};
+  return {.vacant = flows_at(formulation.vacant, x),
+          .low_battery = flows_at(formulation.low_battery, x),
+          .top_up = flows_at({formulation.top_up}, x).front()};
 }
 
 }  // namespace evbal

@@ -27,20 +27,26 @@
 //   x_ij, y_ij          vacant and low-battery cars sent from i to j; only on arcs, see below
 //   u_i, e_i            cars plugged in, and released
 //   z_i                 cars plugged in without a point, where an outage left fewer points than cars
+//   t_i                 vacant cars that are told to charge where they stand, in the first step (top_up.hpp). They come
+//                       back among aV of the step in which a mean session has passed; until then P is by them less
 //
 //   constraint, where x, y, u, e, z >= 0                   row              written by         paper
 //
-//   S_i = V_i + sum_j x_ji - sum_j x_ij                    "supply"         send_vacant        [trans]
-//   sum_j x_ji <= S_i,  that is  sum_j x_ij <= V_i         "sent"           send_vacant
-//   Y_i = L_i + sum_j y_ji - sum_j y_ij                    "low-battery"    send_low_battery   [quality_charging_one]
-//   sum_j y_ji <= Y_i,  that is  sum_j y_ij <= L_i         "sent to charge" send_low_battery
+//   S_i = V_i + aV_i - t_i + sum_j x_ji - sum_j x_ij       "supply"         send_vacant        [trans]
+//   aV_i + sum_j x_ji <= S_i,  that is
+//                              t_i + sum_j x_ij <= V_i     "sent"           send_vacant
+//   Y_i = L_i + aL_i + sum_j y_ji - sum_j y_ij             "low-battery"    send_low_battery   [quality_charging_one]
+//   aL_i + sum_j y_ji <= Y_i,  that is
+//                                    sum_j y_ij <= L_i     "sent to charge" send_low_battery
+//   sum_(j: w_ij >= w) y_ij <= R_i(w),  all w              "within reach"   stay_within_reach
+//   t_i <= T_i                                             bound            add_top_ups
 //   u_i <= Y_i                                             "plugged in"     plug_in
 //   u_i <= P_i - B_i + e_i + z_i                           "points"         plug_in
 //   e_i <= B_i                                             "released"       release
 //   e_i <= c_low_i                                         bound            release
-//   V+_i = sum_j Pv_ji S_j + sum_j Qv_ji O_j + e_i + aV_i  -                next_stock         [trans]
+//   V+_i = sum_j Pv_ji S_j + sum_j Qv_ji O_j + e_i         -                next_stock         [trans]
 //   O+_i = sum_j Po_ji S_j + sum_j Qo_ji O_j               "O"              next_stock         [trans]
-//   L+_i = Y_i - u_i + sum_j Pl_ji S_j + aL_i              -                next_stock         [con_charing]
+//   L+_i = Y_i - u_i + sum_j Pl_ji S_j                     -                next_stock         [con_charing]
 //   B+_i = B_i + u_i - e_i                                 -                next_stock
 //   Z_i >= (Y_i + eps)^(-a)                                curve of "Z"     utilisation        [thm1]
 //   S_i = the sum of parts of its own price (hinges.hpp)   "shortage"       shortage_terms.cpp [quality_region]
@@ -53,13 +59,16 @@
 //
 //   Arcs (arcs.hpp, [bound]): x_ij where w_ij < m1, y_ij where w_ij < m2 and j in C, i != j; whatever m1 and m2, those
 //   to and from the nearest region and to the nearest station. aV, aL: cars without passengers that were under way and
-//   arrive in the step. By rows of P and Q that sum to one, V + O + L + B grows by these alone.
+//   arrive in the step, each for the share of it that is left, with the rest in the next. They cannot be sent on in it.
+//   By rows of P and Q that sum to one, V + O + L + B grows by these alone. R_i(w), in the first step: low-battery cars
+//   whose charge lasts for w km.
 //
 //   objective, summed over steps and regions               term             written by         paper
 //
 //   sum_j w_ij x_ij + beta sum_j w_ij y_ij                 "km"             send_...           [obj_dist]
 //   omega (Y_i - u_i)                                      "queue"          charge
 //   pi_e (c_low_i - e_i)                                   "release"        charge
+//   top_up (T_i - t_i)                                     "top-up"         add_top_ups
 //   p_s E[(r_i - h S_i)_+]                                 "shortage"       shortage_terms.cpp [quality_region]
 //   p_o E[(l S_i - r_i)_+]                                 "surplus"        shortage_terms.cpp [quality_region]
 //   theta sup E[c_i Z_i],  theta = theta_0 / a             "utilisation"    utilisation        [quality_charging_one]
@@ -100,6 +109,7 @@ struct Formulation {
   ConvexProgram program{"vehicles"};              ///< the problem
   std::vector<std::vector<ArcFlow>> vacant;       ///< x, per step
   std::vector<std::vector<ArcFlow>> low_battery;  ///< y, per step
+  std::vector<ArcFlow> top_up;                    ///< t, in the first step
   std::vector<Stock> stock;                       ///< V, O, L, B, per step
 };
 

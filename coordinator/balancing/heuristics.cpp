@@ -1,6 +1,8 @@
 #include "coordinator/balancing/heuristics.hpp"
 
 #include "coordinator/balancing/arcs.hpp"
+#include "coordinator/balancing/send_limits.hpp"
+#include "coordinator/balancing/top_up.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +25,7 @@ std::vector<bool> working_stations(const PlanningData& data) {
   return station;
 }
 
-std::vector<Flow> nearest_shortage_first(const BalancingParameters& parameters, const PlanningData& data) {
+void nearest_shortage_first(const BalancingParameters& parameters, const PlanningData& data, Dispatch& dispatch) {
   // missing_i = min(1, sum S / sum r_hat) r_hat_i - S_i, whole cars: where there is not enough, everybody has a fair
   // share
   const auto regions = data.km.rows();
@@ -36,7 +38,7 @@ std::vector<Flow> nearest_shortage_first(const BalancingParameters& parameters, 
   // Only solvers need few arcs.
   auto arcs = vacant_arcs(data.km, parameters.m1, static_cast<int>(regions));
   std::ranges::stable_sort(arcs, {}, &Arc::km);
-  std::vector<Flow> flows;
+  auto& flows = dispatch.vacant.front();
   for (const auto& arc : arcs) {
     const double sent = std::min(spare(arc.from), lacking(arc.to));
     if (sent > 0.0) {
@@ -46,7 +48,12 @@ std::vector<Flow> nearest_shortage_first(const BalancingParameters& parameters, 
     }
   }
   std::ranges::sort(flows, {}, [](const Flow& flow) { return std::pair(flow.from, flow.to); });
-  return flows;
+  const Eigen::VectorXd top_up = top_up_room(data).cwiseMin(spare);
+  for (int i = 0; i < regions; ++i) {
+    if (top_up(i) > 0.0) {
+      dispatch.top_up.push_back({i, i, top_up(i)});
+    }
+  }
 }
 
 // Expected minutes until a car that finds `ahead` cars in the queue of a region is plugged in.
@@ -63,13 +70,15 @@ std::vector<Flow> least_travel_and_wait(const BalancingParameters& parameters, c
   std::map<std::pair<int, int>, double> sent;
   for (int from = 0; from < data.km.rows(); ++from) {
     const double waiting = data.state.low_battery(from);
-    for (int sent_before = 0; sent_before < waiting; ++sent_before) {
-      const double car = std::min(1.0, waiting - sent_before);
+    const std::vector<double>& reach = data.state.reach[static_cast<std::size_t>(from)];
+    for (std::size_t sent_before = 0; static_cast<double>(sent_before) < waiting; ++sent_before) {
+      const double car = std::min(1.0, waiting - static_cast<double>(sent_before));
+      const double farthest = sent_before < reach.size() ? reach[sent_before] : HUGE_VAL;
       queue(from) -= car;
       int best = from;
       double least = station[static_cast<std::size_t>(from)] ? expected_wait(data, from, queue(from)) : HUGE_VAL;
       for (const auto& arc : arcs) {
-        if (arc.from == from) {
+        if (arc.from == from && arc.km <= farthest) {
           const double minutes = data.minutes(from, arc.to) + expected_wait(data, arc.to, queue(arc.to));
           if (minutes < least) {
             least = minutes;
@@ -97,7 +106,7 @@ Dispatch plan_none(const PlanningData& data) {
   Dispatch dispatch = empty_dispatch(data);
   const auto station = working_stations(data);
   for (const auto& arc : low_battery_arcs(data.km, station, 0.0, 1)) {
-    const double waiting = data.state.low_battery(arc.from);
+    const double waiting = low_battery_reaching(data.state, arc.from, arc.km);
     if (waiting > 0.0 && !station[static_cast<std::size_t>(arc.from)]) {
       dispatch.low_battery.front().push_back({arc.from, arc.to, waiting});
     }
@@ -107,7 +116,7 @@ Dispatch plan_none(const PlanningData& data) {
 
 Dispatch plan_greedy(const BalancingParameters& parameters, const PlanningData& data) {
   Dispatch dispatch = empty_dispatch(data);
-  dispatch.vacant.front() = nearest_shortage_first(parameters, data);
+  nearest_shortage_first(parameters, data, dispatch);
   dispatch.low_battery.front() = least_travel_and_wait(parameters, data);
   return dispatch;
 }

@@ -33,6 +33,7 @@ struct BalancingParameters {
   double m2 = 15.0;          ///< km; low-battery cars likewise
   int neighbours = 12;       ///< at most so many nearest targets a region, beside its nearest region and station
   int tau = 2;               ///< steps in the horizon
+  double top_up = 3.0;       ///< km per vacant car that charges where it stands, at a point that would stay free
   Supply supply = Supply::completions;  ///< what J_E takes the supply to be
   double p_flow = 48.0;       ///< km per passenger who goes without a car for the whole time ahead (flow only)
   int flow_slot = 10;         ///< minutes of a slot (the flow_... are for `flow` only)
@@ -46,13 +47,18 @@ struct BalancingParameters {
 
 /// Vehicles as they stand when a plan is made; all N, in vehicles.
 struct FleetState {
-  Eigen::VectorXd vacant;                ///< V1
-  Eigen::VectorXd occupied;              ///< O1, by destination
-  Eigen::VectorXd low_battery;           ///< L1
-  Eigen::VectorXd plugged;               ///< B1
-  Eigen::VectorXd waiting;               ///< passengers waiting now
-  Eigen::MatrixXd arriving_vacant;       ///< aV, N x tau: column k is added to V at the end of step k
-  Eigen::MatrixXd arriving_low_battery;  ///< aL, N x tau: column k is added to L at the end of step k
+  Eigen::VectorXd vacant;                  ///< V1
+  Eigen::VectorXd chargeable;              ///< of these, cars that may be told to charge where they stand
+  Eigen::VectorXd occupied;                ///< O1, by destination
+  Eigen::VectorXd low_battery;             ///< L1
+  std::vector<std::vector<double>> reach;  ///< by region, km that low-battery cars can still drive, ascending, of those
+                                           ///< that do not get to every region
+  Eigen::VectorXd plugged;                 ///< B1
+  Eigen::VectorXd waiting;                 ///< passengers waiting now
+  /// aV, N x tau: cars under way. One counts in S of the step in which it arrives, for the share of the step that is
+  /// left then, and with the rest in S of the next.
+  Eigen::MatrixXd arriving_vacant;
+  Eigen::MatrixXd arriving_low_battery;  ///< aL, N x tau: likewise, in Y
   Eigen::MatrixXd dropoffs_due;          ///< N x tau: of the occupied cars, those that arrive in step k
 };
 
@@ -93,7 +99,7 @@ struct PlanningData {
   Turnover turnover;                     ///< of vehicles that serve twice in a step
   FreedCars freed;                       ///< by the end of each slot (flow only)
   double step_minutes = 30.0;            ///< Delta
-  double mean_session_minutes = 45.0;    ///< caps J_E's c_hat at P Delta / mean session
+  double mean_session_minutes = 45.0;    ///< caps J_E's c_hat at P Delta / mean session; who tops up is away for it
   Eigen::MatrixXd minutes;               ///< N x N travel time (greedy and flow only)
   Start start;                           ///< BalancingResult::start of the last plan; empty: the engine starts afresh
 };
@@ -109,6 +115,7 @@ struct Flow {
 struct Dispatch {
   std::vector<std::vector<Flow>> vacant;       ///< x, by (from, to)
   std::vector<std::vector<Flow>> low_battery;  ///< y, by (from, to)
+  std::vector<Flow> top_up{};                  ///< t: vacant cars that charge where they stand, at once; from == to
 };
 
 /// A plan and what it is worth.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -54,21 +55,57 @@ std::vector<std::int64_t> millionths(std::span<const Flow> flows, std::int64_t m
   return amounts;
 }
 
+// What limits leave of what one origin may send.
+class Room {
+ public:
+  Room(const std::vector<SendLimit>& limits, int from) {
+    std::ranges::copy_if(limits, std::back_inserter(left_),
+                         [from](const SendLimit& limit) { return limit.from == from; });
+  }
+
+  std::int64_t to(int target) const {
+    double room = std::numeric_limits<std::int32_t>::max();
+    for (const SendLimit& limit : left_) {
+      room = holds(limit, target) ? std::min(room, std::floor(limit.most)) : room;
+    }
+    return static_cast<std::int64_t>(std::max(0.0, room));
+  }
+
+  void take(int target, std::int64_t vehicles) {
+    for (SendLimit& limit : left_) {
+      limit.most -= holds(limit, target) ? static_cast<double>(vehicles) : 0.0;
+    }
+  }
+
+ private:
+  static bool holds(const SendLimit& limit, int target) {
+    return std::ranges::find(limit.targets, target) != limit.targets.end();
+  }
+
+  std::vector<SendLimit> left_;
+};
+
 // Whole vehicles of one origin's flows.
-std::vector<VehicleFlow> whole_row(std::span<const Flow> flows, std::int64_t available) {
+std::vector<VehicleFlow> whole_row(std::span<const Flow> flows, std::int64_t available, Room room) {
   const auto amounts = millionths(flows, available * unit);
   std::vector<VehicleFlow> row;
   std::int64_t sent = 0;
+  const auto send = [&](std::size_t i, std::int64_t vehicles) {
+    const std::int64_t most = std::min(vehicles, room.to(row[i].to));
+    row[i].vehicles += static_cast<int>(most);
+    room.take(row[i].to, most);
+    sent += most;
+  };
   for (std::size_t i = 0; i < flows.size(); ++i) {
-    row.push_back({flows[i].from, flows[i].to, static_cast<int>(amounts[i] / unit)});
-    sent += amounts[i] / unit;
+    row.push_back({flows[i].from, flows[i].to, 0});
+    send(i, amounts[i] / unit);
   }
   const std::int64_t total = (std::reduce(amounts.begin(), amounts.end()) + unit / 2) / unit;
   std::vector<std::size_t> order(row.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t i) { return amounts[i] % unit; });
-  for (std::size_t rank = 0; sent < total; ++rank, ++sent) {
-    ++row[order[rank]].vehicles;
+  for (std::size_t rank = 0; sent < total && rank < order.size(); ++rank) {
+    send(order[rank], 1);
   }
   std::erase_if(row, [](const VehicleFlow& flow) { return flow.vehicles == 0; });
   return row;
@@ -76,14 +113,15 @@ std::vector<VehicleFlow> whole_row(std::span<const Flow> flows, std::int64_t ava
 
 }  // namespace
 
-std::vector<VehicleFlow> round_to_vehicles(const std::vector<Flow>& flows, const Eigen::VectorXi& available) {
+std::vector<VehicleFlow> round_to_vehicles(const std::vector<Flow>& flows, const Eigen::VectorXi& available,
+                                           const std::vector<SendLimit>& limits) {
   expect_between_regions(flows, static_cast<int>(available.size()));
   EVBAL_EXPECT((available.array() >= 0).all(), "no region with less than no vehicles");
   const std::vector<Flow> pairs = by_pair(flows);
   std::vector<VehicleFlow> whole;
   for (auto first = pairs.begin(); first != pairs.end();) {
     const auto last = std::find_if(first, pairs.end(), [&](const Flow& flow) { return flow.from != first->from; });
-    const auto row = whole_row({first, last}, available(first->from));
+    const auto row = whole_row({first, last}, available(first->from), {limits, first->from});
     whole.insert(whole.end(), row.begin(), row.end());
     first = last;
   }

@@ -84,14 +84,15 @@ Eigen::MatrixXd vacant_without_dispatch(const PlanningData& data, const Eigen::M
   Eigen::VectorXd l = state.low_battery;
   Eigen::VectorXd b = state.plugged;
   for (Eigen::Index k = 0; k < vacant.cols(); ++k) {
+    v += state.arriving_vacant.col(k);
+    l += state.arriving_low_battery.col(k);
     vacant.col(k) = v;
     const auto& move = data.transitions[static_cast<std::size_t>(k)];
     const Eigen::VectorXd e = b.cwiseMin(c_low.col(k));
     const Eigen::VectorXd u = l.cwiseMin((data.points.col(k) - b + e).cwiseMax(0.0));
-    const Eigen::VectorXd v_next = move.vacant_to_vacant.transpose() * v + move.occupied_to_vacant.transpose() * o + e +
-                                   state.arriving_vacant.col(k);
+    const Eigen::VectorXd v_next = move.vacant_to_vacant.transpose() * v + move.occupied_to_vacant.transpose() * o + e;
     o = (move.vacant_to_occupied.transpose() * v + move.occupied_to_occupied.transpose() * o).eval();
-    l = (l - u + move.vacant_to_low_battery.transpose() * v + state.arriving_low_battery.col(k)).eval();
+    l = (l - u + move.vacant_to_low_battery.transpose() * v).eval();
     b += u - e;
     v = v_next;
   }

@@ -62,8 +62,7 @@ const MomentSet& supply_of(const BalancingParameters& parameters, const Planning
 UncertaintyModel uncertainty_model(const BalancingParameters& parameters, const PlanningData& data,
                                    const FormulationOptions& options);
 
-/// Vacant vehicles at the start of each step if nobody is sent anywhere, N x tau; the dynamics of docs/model.md,
-/// section 2.
+/// S of each step if nobody is sent anywhere, N x tau; the dynamics of docs/model.md, section 2.
 Eigen::MatrixXd vacant_without_dispatch(const PlanningData& data, const Eigen::MatrixXd& c_low);
 
 /// rho_k, the city's predicted demand per vacant vehicle without dispatch (docs/model.md, section 2), tau values.

@@ -64,8 +64,14 @@ constexpr double most_variance = 1e5;  // of demand over its mean; a count so wi
 
 void check_state(Complaint& complaint, const FleetState& state) {
   complaint.require(state.vacant, 0.0, most_cars, "vacant vehicles", "");
+  complaint.require(state.chargeable, 0.0, most_cars, "chargeable vehicles", "");
   complaint.require(state.occupied, 0.0, most_cars, "occupied vehicles", "");
   complaint.require(state.low_battery, 0.0, most_cars, "low-battery vehicles", "");
+  for (std::size_t i = 0; i < state.reach.size(); ++i) {
+    for (const double km : state.reach[i]) {
+      complaint.require(km, 0.0, most_km, "reach of a low-battery vehicle of region " + std::to_string(i));
+    }
+  }
   complaint.require(state.plugged, 0.0, most_cars, "plugged vehicles", "");
   complaint.require(state.waiting, 0.0, most_cars, "waiting passengers", "");
   complaint.require(state.arriving_vacant, 0.0, most_cars, "arriving vacant vehicles", "step");
@@ -110,6 +116,7 @@ void check_parameters(Complaint& complaint, const BalancingParameters& p) {
   complaint.require(p.p_ratio, 0.0, most_price, "parameter p_ratio");
   complaint.require(p.p_flow, 0.0, most_price, "parameter p_flow");
   complaint.require(p.eta, 0.0, 1.0, "parameter eta");
+  complaint.require(p.top_up, 0.0, most_price, "parameter top_up");
   complaint.require(p.m1, 0.0, infinity, "parameter m1");
   complaint.require(p.m2, 0.0, infinity, "parameter m2");
   complaint.require(p.flow_slot, 1.0, most_minutes, "parameter flow_slot");
@@ -149,6 +156,10 @@ void expect_shapes(const PlanningData& data) {
   EVBAL_EXPECT(is(data.km, n, n) && is(data.minutes, n, n), "km and minutes N x N");
   EVBAL_EXPECT(is(data.points, n, tau), "points N x tau");
   EVBAL_EXPECT(is(state.vacant, n, 1) && is(state.occupied, n, 1) && is(state.low_battery, n, 1), "vehicles N");
+  EVBAL_EXPECT(is(state.chargeable, n, 1), "chargeable vehicles N");
+  EVBAL_EXPECT(std::ssize(state.reach) == n &&
+                   std::ranges::all_of(state.reach, [](const auto& reach) { return std::ranges::is_sorted(reach); }),
+               "reach of N regions, ascending");
   EVBAL_EXPECT(is(state.plugged, n, 1) && is(state.waiting, n, 1), "plugged vehicles and waiting passengers N");
   EVBAL_EXPECT(is(state.arriving_vacant, n, tau) && is(state.arriving_low_battery, n, tau), "arrivals N x tau");
   EVBAL_EXPECT(is(state.dropoffs_due, n, tau), "drop-offs due N x tau");

@@ -79,36 +79,51 @@ class MoveReader {
 /// Checks moves against the reports, one after another.
 class MoveCheck {
  public:
-  MoveCheck(const std::vector<Report>& reports, int regions) : regions_(regions) {
+  MoveCheck(const std::vector<Report>& reports, const City& city) : city_(city) {
     for (const auto& report : reports) {
-      left_[{Errand::rebalance, report.region}] = report.vacant;
-      left_[{Errand::charge, report.region}] = report.low_battery;
+      left_[report.region] = {report.vacant, report.low_battery, city.charging.top_up ? report.chargeable : 0};
     }
   }
 
   void take(const Move& move, const JsonObject& in) {
     for (const auto& [key, region] : {std::pair("from", move.from), std::pair("to", move.to)}) {
-      if (region >= regions_) {
-        throw in.error(
-            key, "a region from 0 to " + std::to_string(regions_ - 1) + " is expected, not " + std::to_string(region));
+      if (region >= city_.size()) {
+        throw in.error(key, "a region from 0 to " + std::to_string(city_.size() - 1) + " is expected, not " +
+                                std::to_string(region));
       }
     }
-    if (move.from == move.to) {
+    if (move.from == move.to && (move.errand == Errand::rebalance || !city_.charging.top_up)) {
       throw in.error("to", "another region than `from` is expected");
     }
-    int& left = left_[{move.errand, move.from}];
+    Left& left = left_[move.from];
+    if (move.errand == Errand::rebalance) {
+      take(move, left.vacant, "vacant", in);
+    } else if (move.from != move.to) {
+      take(move, left.low_battery, "low-battery", in);
+    } else {
+      take(move, left.vacant, "vacant", in);
+      take(move, left.chargeable, "chargeable", in);
+    }
+  }
+
+ private:
+  struct Left {
+    int vacant = 0;
+    int low_battery = 0;
+    int chargeable = 0;
+  };
+
+  static void take(const Move& move, int& left, const char* which, const JsonObject& in) {
     if (move.count < 1 || move.count > left) {
-      throw in.error("count", "region " + std::to_string(move.from) + " has " + std::to_string(left) +
-                                  (move.errand == Errand::rebalance ? " vacant" : " low-battery") +
+      throw in.error("count", "region " + std::to_string(move.from) + " has " + std::to_string(left) + " " + which +
                                   " vehicles left to send; give 1 at least and no more, not " +
                                   std::to_string(move.count));
     }
     left -= move.count;
   }
 
- private:
-  int regions_;
-  std::map<std::pair<Errand, int>, int> left_;  // none where no report came
+  const City& city_;
+  std::map<int, Left> left_;  // none where no report came
 };
 
 json rows_of(const Eigen::MatrixXd& matrix) {
@@ -134,6 +149,7 @@ std::string opening_line(const World& world, const std::string& controller) {
                        {"regions", regions},
                        {"km", rows_of(world.city.km)},
                        {"minutes", rows_of(world.city.minutes)}}},
+                     {"top_up", world.city.charging.top_up},
                      {"clock",
                       {{"date", world.day.date},
                        {"start", clock.start},
@@ -153,10 +169,10 @@ std::string question_line(int tick, const std::vector<Report>& reports) {
 }
 
 std::vector<Move> read_answer(const std::string& line, const std::string& place, const std::vector<Report>& reports,
-                              int regions) {
+                              const City& city) {
   const json parsed = parse_json(line, place);
   JsonObject answer(parsed, place, "");
-  MoveCheck check(reports, regions);
+  MoveCheck check(reports, city);
   std::vector<Move> moves;
   for (JsonObject& object : answer.objects("moves")) {
     Move& move = moves.emplace_back();

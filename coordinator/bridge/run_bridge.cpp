@@ -39,10 +39,8 @@ void bridge(const Command& command, const ProcessOptions& options, Participant& 
     child.write(question_line(tick.tick, reports));
     const std::string answer = child.read("the plan of tick " + std::to_string(tick.tick));
     const std::string place = "line " + std::to_string(child.lines_read()) + " of `" + shown(command) + "`";
-    Plan made{.tick = tick.tick,
-              .moves = read_answer(answer, place, reports, world.city.size()),
-              .provenance = {},
-              .origin = {}};
+    Plan made{
+        .tick = tick.tick, .moves = read_answer(answer, place, reports, world.city), .provenance = {}, .origin = {}};
     made.provenance.controller = controller;
     return made;
   };

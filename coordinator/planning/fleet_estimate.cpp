@@ -58,10 +58,13 @@ void FleetEstimate::advance(int minute, const std::vector<Move>& moves, const Tr
 
 void FleetEstimate::set_off(const std::vector<Move>& moves) {
   for (const Move& move : moves) {
-    Eigen::VectorXd& from = move.errand == Errand::charge ? low_battery_ : vacant_;
+    const bool tops_up = move.errand == Errand::charge && move.from == move.to;
+    Eigen::VectorXd& from = move.errand == Errand::rebalance || tops_up ? vacant_ : low_battery_;
     const double sent = std::min<double>(move.count, from(move.from));
     from(move.from) -= sent;
-    if (const int whole = rounded(sent); whole > 0) {
+    if (tops_up) {
+      low_battery_(move.to) += sent;
+    } else if (const int whole = rounded(sent); whole > 0) {
       const int arrives = minute_ + static_cast<int>(std::ceil(model_.minutes(move.from, move.to)));
       last_[static_cast<std::size_t>(move.to)].bound.push_back({move.to, arrives, move.errand, whole});
     }
@@ -108,7 +111,9 @@ Report FleetEstimate::estimated(int tick, int region) const {
   report.region = region;
   report.demand = report.completions = 0;
   report.vacant = rounded(vacant_(region));
+  report.chargeable = std::min(report.chargeable, report.vacant);
   report.low_battery = rounded(low_battery_(region));
+  report.reach_m.resize(std::min<std::size_t>(report.reach_m.size(), static_cast<std::size_t>(report.low_battery)));
   report.plugged = std::min(rounded(plugged_(region)), report.points);
   // Who has been plugged in longest leaves first; who came since is taken to have come now.
   auto& since = report.plugged_since;

@@ -67,6 +67,7 @@ Decision Ladder::solved(int minute, BalancingResult result, FallbackLevel level,
   const Certificate& certificate = result.certificate;
   return {step_of(memory_.last.vacant, 0),
           step_of(memory_.last.low_battery, 0),
+          memory_.last.top_up,
           {.controller = controller_,
            .engine = {},
            .fallback = level,

@@ -20,6 +20,7 @@ using Balancer = std::function<BalancingResult(const std::string& controller, co
 struct Decision {
   std::vector<Flow> vacant;       ///< by (from, to)
   std::vector<Flow> low_battery;  ///< by (from, to)
+  std::vector<Flow> top_up;       ///< vacant cars that charge where they stand
   Provenance provenance;          ///< without the engine's name
 };
 

@@ -10,6 +10,19 @@ namespace {
 
 constexpr double least_deviation = 0.1;  ///< of an uncertain count (docs/model.md, section 5)
 
+/// Cars that arrive in so many minutes count in that step for the share of it that is left, and with the rest in the
+/// next.
+void add_arrivals(Eigen::MatrixXd& arriving, int region, int minutes, int step, double cars) {
+  const int window = minutes / step;
+  const double missed = static_cast<double>(minutes % step) / step;
+  if (window < arriving.cols()) {
+    arriving(region, window) += (1.0 - missed) * cars;
+  }
+  if (window + 1 < arriving.cols()) {
+    arriving(region, window + 1) += missed * cars;
+  }
+}
+
 }  // namespace
 
 int horizon_at(const DayClock& clock, int minute, int tau) {
@@ -21,22 +34,36 @@ FleetState fleet_state(const std::vector<Report>& reports, int minute, int step,
   const auto n = static_cast<Eigen::Index>(reports.size());
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(n);
   const Eigen::MatrixXd never = Eigen::MatrixXd::Zero(n, tau);
-  FleetState state{none, none, none, none, none, never, never, never};
+  FleetState state{.vacant = none,
+                   .chargeable = none,
+                   .occupied = none,
+                   .low_battery = none,
+                   .reach = std::vector<std::vector<double>>(reports.size()),
+                   .plugged = none,
+                   .waiting = none,
+                   .arriving_vacant = never,
+                   .arriving_low_battery = never,
+                   .dropoffs_due = never};
   for (const Report& report : reports) {
     const int i = report.region;
     state.vacant(i) = report.vacant;
+    state.chargeable(i) = report.chargeable;
     state.low_battery(i) = report.low_battery;
+    for (const int metres : report.reach_m) {
+      state.reach[static_cast<std::size_t>(i)].push_back(metres / 1000.0);
+    }
     state.plugged(i) = report.plugged;
     state.waiting(i) = report.waiting;
     for (const UnderWay& car : report.bound) {
-      const int window = std::max(0, car.minute - minute) / step;
+      const int in = std::max(0, car.minute - minute);
       if (car.errand == Errand::passenger) {
         state.occupied(i) += car.count;
-        if (window < tau) {
-          state.dropoffs_due(i, window) += car.count;
+        if (in / step < tau) {
+          state.dropoffs_due(i, in / step) += car.count;
         }
-      } else if (window < tau) {
-        (car.errand == Errand::rebalance ? state.arriving_vacant : state.arriving_low_battery)(i, window) += car.count;
+      } else {
+        auto& arriving = car.errand == Errand::rebalance ? state.arriving_vacant : state.arriving_low_battery;
+        add_arrivals(arriving, i, in, step, car.count);
       }
     }
   }

@@ -15,8 +15,9 @@ namespace evbal {
 int horizon_at(const DayClock& clock, int minute, int tau);
 
 /// The fleet as the reports (by region, all of them) have it at `minute`. Occupied cars count at their destination,
-/// those that arrive at once included; empty cars under way count in the window of `step` minutes in which they
-/// arrive, and not at all after the horizon; so do drop-offs due.
+/// those that arrive at once included; empty cars under way count in the window of `step` minutes in which they arrive
+/// for the share of it that is left, with the rest in the next, and not at all after the horizon; drop-offs due count
+/// wholly in the window in which they arrive.
 FleetState fleet_state(const std::vector<Report>& reports, int minute, int step, int tau);
 
 /// Working points of the reports, held over the horizon, N x tau.

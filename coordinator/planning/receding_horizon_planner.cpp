@@ -5,6 +5,8 @@
 #include "common/error.hpp"
 #include "coordinator/ambiguity/gaussian_samples.hpp"
 #include "coordinator/balancing/round_to_vehicles.hpp"
+#include "coordinator/balancing/send_limits.hpp"
+#include "coordinator/balancing/top_up.hpp"
 #include "coordinator/forecast/foreknowledge.hpp"
 #include "coordinator/planning/freed_cars.hpp"
 #include "coordinator/planning/planning_data.hpp"
@@ -12,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 namespace evbal {
@@ -92,10 +95,27 @@ void add_variance(MomentSet& demand, const Eigen::VectorXd& variance) {
   }
 }
 
-void add_moves(std::vector<Move>& moves, Errand errand, const std::vector<Flow>& flows, const Eigen::VectorXd& have) {
-  for (const VehicleFlow& flow : round_to_vehicles(flows, have.cast<int>())) {
-    moves.push_back({flow.from, flow.to, flow.vehicles, errand});
+/// A decision in whole vehicles that are there and get there, by (errand, from, to).
+std::vector<Move> moves_of(const Decision& decision, const PlanningData& data) {
+  std::vector<Arc> to_charge;
+  for (const Flow& flow : decision.low_battery) {
+    to_charge.push_back({flow.from, flow.to, data.km(flow.from, flow.to)});
   }
+  std::ranges::stable_sort(to_charge, {}, &Arc::from);
+  const auto vacant = round_to_vehicles(decision.vacant, data.state.vacant.cast<int>());
+  const auto low_battery =
+      round_to_vehicles(decision.low_battery, data.state.low_battery.cast<int>(), reach_limits(data.state, to_charge));
+  std::vector<Move> moves;
+  const auto add = [&](Errand errand, const std::vector<VehicleFlow>& flows) {
+    for (const VehicleFlow& flow : flows) {
+      moves.push_back({flow.from, flow.to, flow.vehicles, errand});
+    }
+  };
+  add(Errand::rebalance, vacant);
+  add(Errand::charge, low_battery);
+  add(Errand::charge, whole_top_ups(decision.top_up, data, vacant));
+  std::ranges::sort(moves, {}, [](const Move& move) { return std::tuple(move.errand, move.from, move.to); });
+  return moves;
 }
 
 }  // namespace
@@ -120,6 +140,7 @@ RecedingHorizonPlanner::RecedingHorizonPlanner(const City& city, const DayClock&
       km_(city.km),
       minutes_(city.minutes),
       session_quantiles_(city.charging.session_quantiles),
+      top_up_(city.charging.top_up),
       has_points_((city.points().array() > 0).cast<double>()),
       bounds_{city.fleet.vehicles, {}, clock},
       fleet_(
@@ -156,6 +177,7 @@ PlanningData RecedingHorizonPlanner::data(int minute, const std::vector<Report>&
   data.km = km_;
   data.minutes = minutes_;
   data.state = fleet_state(reports, minute, clock_.step, tau);
+  data.state.chargeable *= top_up_ ? 1.0 : 0.0;
   data.points = points_ahead(reports, tau);
   data.demand = moment_set(model_.demand.errors, told_.as_announced(demand_->forecast(minute, tau), clock_.step),
                            demand_->scale(minute, tau));
@@ -212,8 +234,7 @@ Plan RecedingHorizonPlanner::plan(const Tick& tick, const std::vector<Report>& r
   const Inflation by = inflation_at(minute);
   const PlanningData known = data(minute, believed, by);
   Decision decision = ladder_.decide(minute, known, under_faults(settings_.engine, tick.effects));
-  add_moves(last_.moves, Errand::rebalance, decision.vacant, known.state.vacant);
-  add_moves(last_.moves, Errand::charge, decision.low_battery, known.state.low_battery);
+  last_.moves = moves_of(decision, known);
   decision.provenance.rejected = std::move(last_.provenance.rejected);
   last_.provenance = std::move(decision.provenance);
   if (last_.provenance.iterations > 0) {

@@ -69,6 +69,7 @@ class RecedingHorizonPlanner {
   Eigen::MatrixXd km_;
   Eigen::MatrixXd minutes_;
   std::vector<double> session_quantiles_;
+  bool top_up_;                 ///< whether the world knows top-up charging
   Eigen::VectorXd has_points_;  ///< 1 where the city has points, working or not, else 0
   std::unique_ptr<Forecaster> demand_;
   bool foresees_ = false;  ///< whether demand_ is the true demand

@@ -31,6 +31,13 @@ std::string validate_lists(const Report& report, int minute) {
   if (!in_order) {
     return "plugged_since is not in order or not of the day";
   }
+  const auto& reach = report.reach_m;
+  if (static_cast<std::int64_t>(reach.size()) > report.low_battery) {
+    return "low_battery " + std::to_string(report.low_battery) + ", reach_m " + std::to_string(reach.size());
+  }
+  if (!std::ranges::is_sorted(reach) || (!reach.empty() && reach.front() < 0)) {
+    return "reach_m is not in order or below zero";
+  }
   for (const UnderWay& cars : report.bound) {
     if (cars.region != report.region || cars.count < 1 || cars.minute < minute || cars.errand > Errand::charge) {
       return "bound has cars to elsewhere, none, or of the past";
@@ -57,6 +64,7 @@ std::string validate(const Report& report, int tick, int last, const ReportBound
   const std::int64_t demand = std::int64_t{report.demand} + report.waiting;
   for (std::string found : {validate_count("points", report.points, "installed", installed),
                             validate_count("plugged", report.plugged, "points", report.points),
+                            validate_count("chargeable", report.chargeable, "vacant", report.vacant),
                             validate_count("completions", report.completions, "possible", installed * minutes),
                             validate_count("demand and waiting", demand, "possible",
                                            std::int64_t{most_passengers_a_minute} * bounds.clock.minutes()),

@@ -18,7 +18,7 @@ struct Price {
   double low;
   double high;
 };
-constexpr std::array<Price, 16> prices{{
+constexpr std::array<Price, 17> prices{{
     {"a", &BalancingParameters::a, 1e-3, 2.0},
     {"theta_0", &BalancingParameters::theta_0, 0.0, 1e6},
     {"eps", &BalancingParameters::eps, 1e-3, 1e3},
@@ -30,6 +30,7 @@ constexpr std::array<Price, 16> prices{{
     {"p_ratio", &BalancingParameters::p_ratio, 0.0, 1e6},
     {"p_flow", &BalancingParameters::p_flow, 0.0, 1e6},
     {"eta", &BalancingParameters::eta, 0.0, 0.99},
+    {"top_up", &BalancingParameters::top_up, 0.0, 1e3},
     {"m1", &BalancingParameters::m1, 0.0, 1e4},
     {"m2", &BalancingParameters::m2, 0.0, 1e4},
     {"flow_m1", &BalancingParameters::flow_m1, 0.0, 1e4},

@@ -66,12 +66,26 @@ void check_vehicles_and_points(const World& world, const Eigen::VectorXi& instal
           std::to_string(said.plugged) + " points in use, " + std::to_string(said.points) + " work");
 }
 
-void check_plan(const World& world, const Tick& tick, const Plan& plan, const std::vector<Report>& reports) {
-  std::map<int, std::int64_t> vacant;
-  std::map<int, std::int64_t> low_battery;
+/// Vehicles that a plan asks of a region.
+struct Asked {
+  std::int64_t vacant = 0;
+  std::int64_t chargeable = 0;  ///< of these, told to charge where they stand
+  std::int64_t low_battery = 0;
+};
+
+std::map<int, Asked> asked_by(const Plan& plan) {
+  std::map<int, Asked> asked;
   for (const auto& move : plan.moves) {
-    (move.errand == Errand::rebalance ? vacant : low_battery)[move.from] += move.count;
+    const bool charges = move.errand == Errand::charge;
+    const bool stays = move.from == move.to;
+    (charges && !stays ? asked[move.from].low_battery : asked[move.from].vacant) += move.count;
+    asked[move.from].chargeable += charges && stays ? move.count : 0;
   }
+  return asked;
+}
+
+void check_plan(const World& world, const Tick& tick, const Plan& plan, const std::vector<Report>& reports) {
+  std::map<int, Asked> asked = asked_by(plan);
   std::set<int> estimated(tick.unheard.begin(), tick.unheard.end());
   for (const auto& rejection : plan.provenance.rejected) {
     estimated.insert(rejection.region);
@@ -80,8 +94,11 @@ void check_plan(const World& world, const Tick& tick, const Plan& plan, const st
     if (estimated.contains(report.region)) {
       continue;
     }
-    require(vacant[report.region] <= report.vacant && low_battery[report.region] <= report.low_battery, world,
-            plan.tick, report.region, "is planned to send more vehicles than it reported");
+    const Asked& from = asked[report.region];
+    require(from.vacant <= report.vacant && from.low_battery <= report.low_battery, world, plan.tick, report.region,
+            "is planned to send more vehicles than it reported");
+    require(from.chargeable <= report.chargeable, world, plan.tick, report.region,
+            "is planned to top up more vehicles than it reported");
   }
 }
 

@@ -18,6 +18,7 @@ void columns(Visit&& visit, const Flows& f) {
   visit("refused", f.refused);
   visit("rebalance_moves", f.rebalance_moves);
   visit("charge_moves", f.charge_moves);
+  visit("top_ups", f.top_ups);
   visit("rebalance_km", f.rebalance_km);
   visit("charge_km", f.charge_km);
   visit("passenger_km", f.passenger_km);

@@ -16,6 +16,7 @@ Flows flows_of(const Departures& said) {
               .queue_minutes = said.queue_minutes,
               .stranded = said.stranded,
               .refused = said.refused,
+              .top_ups = said.topped_up,
               .charged_kwh = said.charged_kwh};
   for (const auto& fate : said.fates) {
     ++(fate.served ? flows.served : flows.lost);
@@ -126,6 +127,8 @@ Dispatched before_dispatch(std::span<const TickRecord> ticks, std::size_t at, st
 Dispatched after_dispatch(std::span<const TickRecord> ticks, std::size_t at, std::size_t regions) {
   Dispatched there = before_dispatch(ticks, at, regions);
   for (const auto& said : ticks[at].exchange.departures) {
+    there.supply[static_cast<std::size_t>(said.region)] -= said.topped_up;
+    there.low_battery[static_cast<std::size_t>(said.region)] += said.topped_up;
     for (const auto& departure : said.departures) {
       if (departure.errand != Errand::passenger) {
         auto& count = departure.errand == Errand::rebalance ? there.supply : there.low_battery;
@@ -234,6 +237,7 @@ Flows& Flows::operator+=(const Flows& other) {
   refused += other.refused;
   rebalance_moves += other.rebalance_moves;
   charge_moves += other.charge_moves;
+  top_ups += other.top_ups;
   rebalance_km += other.rebalance_km;
   charge_km += other.charge_km;
   passenger_km += other.passenger_km;

@@ -32,6 +32,7 @@ struct Flows {
   std::int64_t refused = 0;          ///< vehicles that plans asked for and regions did not have
   std::int64_t rebalance_moves = 0;  ///< vacant vehicles that plans sent off
   std::int64_t charge_moves = 0;     ///< low-battery vehicles that plans sent off
+  std::int64_t top_ups = 0;          ///< vacant vehicles that plans had charge where they stood
   double rebalance_km = 0.0;         ///< of moves that set off, counted in the region they left
   double charge_km = 0.0;            ///< likewise, to chargers
   double passenger_km = 0.0;         ///< with passengers
@@ -100,9 +101,9 @@ struct DayMetrics {
 ///
 /// Unfairness is taken for every plan: S_i and Y_i are the vacant and low-battery vehicles in region i before it (as
 /// they really are, whatever was reported) plus the vehicles that moves of that tick bring minus those that they take
-/// away; demand and completions are those of the following step length (a window that would reach past the last tick is
-/// left out). A step takes the mean over its plans, a day the sum over its steps, so that `plan_every` does not change
-/// the scale.
+/// away; those that top up count as low-battery; demand and completions are those of the following step length (a
+/// window that would reach past the last tick is left out). A step takes the mean over its plans, a day the sum over
+/// its steps, so that `plan_every` does not change the scale.
 DayMetrics measure(const MetricsFrame& frame, std::span<const TickRecord> ticks);
 
 /// The totals by the names that summary.json and a scenario's `expect` use.

@@ -24,7 +24,7 @@ double optimum_by_any_engine(const std::string& controller, const PlanningData& 
 PlanningData any_data(int tau) {
   const auto seed = *rc::gen::arbitrary<std::uint64_t>();
   const int regions = *rc::gen::inRange(1, 7);
-  return random_planning_data(seed, {.regions = regions, .tau = tau});
+  return random_planning_data(seed, {.regions = regions, .tau = tau, .chargeable_share = *rc::gen::element(0.0, 0.5)});
 }
 
 BalancingParameters any_parameters() {
@@ -52,9 +52,13 @@ PlanningData renamed(PlanningData data, const Permutation& one) {
   square(data.km);
   square(data.minutes);
   square(data.turnover.same_step_dropoffs);
-  for (auto* vector :
-       {&data.state.vacant, &data.state.occupied, &data.state.low_battery, &data.state.plugged, &data.state.waiting}) {
+  for (auto* vector : {&data.state.vacant, &data.state.chargeable, &data.state.occupied, &data.state.low_battery,
+                       &data.state.plugged, &data.state.waiting}) {
     rows(*vector);
+  }
+  auto reach = data.state.reach;
+  for (std::size_t i = 0; i < reach.size(); ++i) {
+    data.state.reach[static_cast<std::size_t>(one.indices()(static_cast<Eigen::Index>(i)))] = reach[i];
   }
   for (auto* matrix : {&data.state.arriving_vacant, &data.state.arriving_low_battery, &data.state.dropoffs_due,
                        &data.points, &data.freed.mean, &data.freed.variance}) {
@@ -116,7 +120,7 @@ RC_GTEST_PROP(ControllersProperty, UnitsOfLengthDoNotMatter, ()) {
   for (auto price : {&BalancingParameters::m1, &BalancingParameters::flow_m1, &BalancingParameters::m2,
                      &BalancingParameters::theta_0, &BalancingParameters::omega, &BalancingParameters::pi_e,
                      &BalancingParameters::p_shortage, &BalancingParameters::p_surplus, &BalancingParameters::p_ratio,
-                     &BalancingParameters::p_flow}) {
+                     &BalancingParameters::p_flow, &BalancingParameters::top_up}) {
     parameters.*price *= factor;
   }
   data.state.plugged = data.state.plugged.cwiseMin(data.points.rowwise().minCoeff());  // z costs the same in any unit

@@ -176,11 +176,13 @@ TEST(Controllers, AgreeWithBruteForceOnTwoRegions) {
     for (const bool robust : {false, true}) {
       const double gr = robust ? std::min(data.demand.g1, data.demand.g2) : 0.0;
       const double gc = robust ? std::min(data.completions.g1, data.completions.g2) : 0.0;
-      const double rho = data.demand.mean.sum() / std::max(1.0, s.vacant.sum());
+      const Eigen::VectorXd vacant = s.vacant + s.arriving_vacant.col(0);
+      const Eigen::VectorXd low_battery = s.low_battery + s.arriving_low_battery.col(0);
+      const double rho = data.demand.mean.sum() / std::max(1.0, vacant.sum());
       const auto vacant_cost = [&](double x) {
         double cost = std::abs(x) * data.km(0, 1);
         for (int i = 0; i < 2; ++i) {
-          const double stay = s.vacant(i) + (i == 0 ? -x : x);
+          const double stay = vacant(i) + (i == 0 ? -x : x);
           const double sigma = data.demand.standard_deviation()(i);
           const double high = data.demand.mean(i) + std::sqrt(gr) * sigma;
           const double low = std::max(0.0, data.demand.mean(i) - std::sqrt(gr) * sigma);
@@ -193,7 +195,7 @@ TEST(Controllers, AgreeWithBruteForceOnTwoRegions) {
         double cost = p.beta * std::abs(y) * data.km(0, 1);
         Eigen::Vector2d z;
         for (int i = 0; i < 2; ++i) {
-          const double there = s.low_battery(i) + (i == 0 ? -y : y);
+          const double there = low_battery(i) + (i == 0 ? -y : y);
           const double sigma = data.completions.standard_deviation()(i);
           const double c_low = std::max(0.0, data.completions.mean(i) - std::sqrt(gc) * sigma);
           const double released = std::min(s.plugged(i), c_low);

@@ -24,7 +24,15 @@ double optimum_of(const ConvexProgram& program, const std::string& engine) {
 PlanningData any_data() {
   const auto seed = *rc::gen::arbitrary<std::uint64_t>();
   const int regions = *rc::gen::inRange(1, 8);
-  auto data = random_planning_data(seed, {.regions = regions, .tau = *rc::gen::inRange(1, 5)});
+  auto data = random_planning_data(
+      seed, {.regions = regions, .tau = *rc::gen::inRange(1, 5), .chargeable_share = *rc::gen::element(0.0, 0.6)});
+  data.mean_session_minutes = *rc::gen::element(25.0, 45.0, 100.0);
+  for (int i = 0; i < regions; ++i) {  // of some low-battery cars, how far they get
+    const int known = *rc::gen::inRange(0, static_cast<int>(data.state.low_battery(i)) + 1);
+    for (int car = 0; car < known; ++car) {
+      data.state.reach[static_cast<std::size_t>(i)].push_back(1.5 * car);
+    }
+  }
   if (*rc::gen::arbitrary<bool>()) {  // an outage under plugged cars, in one step
     data.points.col(*rc::gen::inRange<Eigen::Index>(0, data.points.cols())).setZero();
   }
@@ -63,8 +71,11 @@ RC_GTEST_PROP(Formulation, HasTheOptimumOfTheProblemWithEveryVariableByAnyEngine
 
 TEST(Formulation, HasTheRowsThatItsHeaderNames) {
   const std::set<std::string> named = {"supply", "sent",     "low-battery", "sent to charge", "plugged in",
-                                       "points", "released", "O",           "shortage"};
-  const auto program = formulate({}, random_planning_data(1, {.regions = 9, .tau = 3}), {}).program;
+                                       "points", "released", "O",           "shortage",       "within reach"};
+  auto data = random_planning_data(1, {.regions = 9, .tau = 3});
+  data.state.low_battery.setConstant(3.0);
+  data.state.reach.assign(9, {0.0});
+  const auto program = formulate({}, data, {}).program;
   std::set<std::string> found;
   for (int row = 0; row < program.rows(); ++row) {
     found.insert(program.name_of_row(row).what);

@@ -2,6 +2,8 @@
 
 #include "coordinator/balancing/arcs.hpp"
 #include "coordinator/balancing/problem.hpp"
+#include "coordinator/balancing/send_limits.hpp"
+#include "coordinator/balancing/top_up.hpp"
 #include "coordinator/balancing/uncertainty_model.hpp"
 #include "coordinator/convex/convex_program.hpp"
 
@@ -31,18 +33,27 @@ struct PlainFormulation {
     Variables O = known(now.occupied);
     Variables L = known(now.low_battery);
     Variables B = known(now.plugged);
+    const Variables t = topped_up();
+    const int session = static_cast<int>(std::ceil(data.mean_session_minutes / data.step_minutes));
     for (int k = 0; k < tau; ++k) {
-      const Variables S = sent(vacant_arcs(data.km, p.m1, p.neighbours), V, 1.0);
-      const Variables Y = sent(low_battery_arcs(data.km, C, p.m2, p.neighbours), L, p.beta);
+      std::vector<Expression> come(N), come_low(N), leave(N), stay(N), points(N);
+      for (int i = 0; i < N; ++i) {
+        come[i] = now.arriving_vacant(i, k) + (k == session ? 1.0 : 0.0) * t[i];
+        come_low[i] = now.arriving_low_battery(i, k);
+        leave[i] = (k == 0 ? 1.0 : 0.0) * t[i];
+        points[i] = data.points(i, k) - (k < session ? 1.0 : 0.0) * t[i];
+      }
+      const Variables S = sent(vacant_arcs(data.km, p.m1, p.neighbours), V, come, leave, 1.0);
+      const Variables Y = sent(low_battery_arcs(data.km, C, p.m2, p.neighbours), L, come_low, stay, p.beta, k == 0);
       const Variables u = program.add_block("u", N);
       const Variables e = program.add_block("e", N);
-      charge(k, B, Y, u, e);
+      charge(k, points, B, Y, u, e);
       const auto& [Pv, Po, Pl, Qv, Qo] = data.transitions[k];
       const Variables next[] = {any(), any(), any(), any()};
       for (int i = 0; i < N; ++i) {
         shortage(k, i, S[i]);
-        Expression v = e[i] + now.arriving_vacant(i, k);
-        Expression l = Y[i] - u[i] + now.arriving_low_battery(i, k);
+        Expression v = e[i];
+        Expression l = Y[i] - u[i];
         Expression o;
         for (int j = 0; j < N; ++j) {
           v += Pv(j, i) * S[j] + Qv(j, i) * O[j];
@@ -71,29 +82,48 @@ struct PlainFormulation {
     return variables;
   }
 
-  // S_i = V_i + in - out,  out <= V_i
-  Variables sent(const std::vector<Arc>& arcs, const Variables& V, double price) {
+  Variables topped_up() {
+    const Variables t = program.add_block("t", N);
+    const Eigen::VectorXd T = top_up_room(data);
+    for (int i = 0; i < N; ++i) {
+      program.bound(t[i], 0.0, T(i));
+      program.minimise("top-up", p.top_up * (T(i) - t[i]));
+    }
+    return t;
+  }
+
+  // S_i = V_i + come_i - leave_i + in - out,  leave_i + out <= V_i;  no more go a distance than get so far
+  Variables sent(const std::vector<Arc>& arcs, const Variables& V, const std::vector<Expression>& come,
+                 const std::vector<Expression>& leave, double price, bool within_reach = false) {
     const Variables S = any();
     std::vector<Expression> in(V.size());
     std::vector<Expression> out(V.size());
+    std::vector<Expression> far(arcs.size());
     for (const auto& [from, to, km] : arcs) {
       const Variable x = program.add_variable("x");
+      for (std::size_t a = 0; a < arcs.size(); ++a) {
+        far[a].add(arcs[a].from == from && arcs[a].km <= km ? 1.0 : 0.0, x);
+      }
       in[to] += x;
       out[from] += x;
       program.minimise("km", price * km * x);
     }
     for (int i = 0; i < N; ++i) {
-      program.add(S[i] == V[i] + in[i] - out[i]);
-      program.add(out[i] <= V[i]);
+      program.add(S[i] == V[i] + come[i] - leave[i] + in[i] - out[i]);
+      program.add(leave[i] + out[i] <= V[i]);
+    }
+    for (std::size_t a = 0; within_reach && a < arcs.size(); ++a) {
+      program.add(far[a] <= low_battery_reaching(data.state, arcs[a].from, arcs[a].km));
     }
     return S;
   }
 
-  void charge(int k, const Variables& B, const Variables& Y, const Variables& u, const Variables& e) {
+  void charge(int k, const std::vector<Expression>& points, const Variables& B, const Variables& Y, const Variables& u,
+              const Variables& e) {
     const Variables z = program.add_block("z", N);
     for (int i = 0; i < N; ++i) {
       program.add(u[i] <= Y[i]);
-      program.add(u[i] <= (C[i] ? data.points(i, k) - B[i] + e[i] + z[i] : Expression(0.0)));
+      program.add(u[i] <= (C[i] ? points[i] - B[i] + e[i] + z[i] : Expression(0.0)));
       program.add(e[i] <= B[i]);
       program.add(e[i] <= model.c_low(i, k));
       program.minimise("charging", p.omega * (Y[i] - u[i]) + p.pi_e * (model.c_low(i, k) - e[i]));

@@ -28,6 +28,12 @@ std::vector<Datum> all_data() {
       {"low_battery", [](auto& d, auto&) -> double& { return d.state.low_battery(1); }},
       {"plugged", [](auto& d, auto&) -> double& { return d.state.plugged(0); }},
       {"waiting", [](auto& d, auto&) -> double& { return d.state.waiting(2); }},
+      {"chargeable", [](auto& d, auto&) -> double& { return d.state.chargeable(0); }},
+      {"reach",
+       [](auto& d, auto&) -> double& {
+         d.state.low_battery(1) = 4.0;
+         return d.state.reach[1].emplace_back();
+       }},
       {"arriving_vacant", [](auto& d, auto&) -> double& { return d.state.arriving_vacant(0, 1); }},
       {"dropoffs_due", [](auto& d, auto&) -> double& { return d.state.dropoffs_due(0, 1); }},
       {"points", [](auto& d, auto&) -> double& { return d.points(0, 0); }},

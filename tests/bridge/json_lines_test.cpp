@@ -17,7 +17,9 @@ std::vector<Report> reports() {
               .region = i,
               .vacant = 2,
               .low_battery = 1,
+              .chargeable = 1,
               .plugged_since = {3},
+              .reach_m = {700},
               .bound = {{i, 25, Errand::charge, 1}},
               .origin = {}};
     report.origin.process_id = 4711;
@@ -25,9 +27,16 @@ std::vector<Report> reports() {
   return all;
 }
 
-void expect_refused(const std::string& line, const std::string& words) {
+City city_of(int regions, bool top_up = false) {
+  City city;
+  city.regions.resize(static_cast<std::size_t>(regions));
+  city.charging.top_up = top_up;
+  return city;
+}
+
+void expect_refused(const std::string& line, const std::string& words, bool top_up = false) {
   try {
-    read_answer(line, "line 9 of `me`", reports(), 4);
+    read_answer(line, "line 9 of `me`", reports(), city_of(4, top_up));
     FAIL() << "was accepted: " << line;
   } catch (const Error& error) {
     EXPECT_TRUE(std::string(error.what()).starts_with("line 9 of `me`: ")) << error.what();
@@ -48,6 +57,8 @@ TEST(BridgeLines, AskWithEveryFieldButTheOrigin) {
   EXPECT_EQ(report.at("region"), 2);
   EXPECT_EQ(report.at("vacant"), 2);
   EXPECT_EQ(report.at("plugged_since"), nlohmann::json({3}));
+  EXPECT_EQ(report.at("chargeable"), 1);
+  EXPECT_EQ(report.at("reach_m"), nlohmann::json({700}));
   EXPECT_EQ(report.at("bound").at(0).at("errand"), "charge");
   EXPECT_EQ(report.at("bound").at(0).at("minute"), 25);
   EXPECT_FALSE(report.contains("origin"));
@@ -66,18 +77,30 @@ TEST(BridgeLines, OpenWithTheCityAsTheScenarioHasIt) {
   EXPECT_EQ(opening.at("city").at("minutes").at(2).at(1), world.city.minutes(2, 1));
   EXPECT_EQ(opening.at("clock").at("date"), "2024-01-08");
   EXPECT_EQ(opening.at("clock").at("plan_every"), world.clock.plan_every);
+  EXPECT_EQ(opening.at("top_up"), false);
 }
 
 TEST(BridgeLines, SortTheMoves) {
   const auto moves = read_answer(R"({"moves": [{"from": 1, "to": 0, "count": 1, "errand": "charge"},
                                                {"errand": "rebalance", "from": 2, "to": 1, "count": 1},
                                                {"errand": "rebalance", "from": 2, "to": 0, "count": 1}]})",
-                                 "", reports(), 4);
+                                 "", reports(), city_of(4));
   ASSERT_EQ(moves.size(), 3U);
   EXPECT_EQ(moves[0].to, 0);
   EXPECT_EQ(moves[1].to, 1);
   EXPECT_EQ(moves[2].errand, Errand::charge);
-  EXPECT_TRUE(read_answer(R"({"moves": []})", "", reports(), 4).empty());
+  EXPECT_TRUE(read_answer(R"({"moves": []})", "", reports(), city_of(4)).empty());
+}
+
+TEST(BridgeLines, TopUpWhereTheCityKnowsThat) {
+  const std::string stay = move(R"("from": 1, "to": 1, "count": 1, "errand": "charge")");
+  EXPECT_EQ(read_answer(stay, "", reports(), city_of(4, true)).size(), 1U);
+  expect_refused(stay, "moves[0].to: another region");
+  expect_refused(move(R"("from": 1, "to": 1, "count": 1, "errand": "rebalance")"), "moves[0].to: another region", true);
+  expect_refused(move(R"("from": 1, "to": 1, "count": 2, "errand": "charge")"), "region 1 has 1 chargeable", true);
+  expect_refused(R"({"moves": [{"from": 1, "to": 0, "count": 2, "errand": "rebalance"},
+                               {"from": 1, "to": 1, "count": 1, "errand": "charge"}]})",
+                 "moves[1].count: region 1 has 0 vacant vehicles left", true);
 }
 
 TEST(BridgeLines, RefuseWhatIsNoPlan) {

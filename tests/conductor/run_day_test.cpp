@@ -2,6 +2,8 @@
 
 #include "agents/protocol/fingerprint.hpp"
 #include "agents/region/region_plant.hpp"
+#include "coordinator/balancing/round_to_vehicles.hpp"
+#include "coordinator/planning/planning_data.hpp"
 #include "experiments/conductor/inproc_players.hpp"
 #include "experiments/conductor/roads.hpp"
 #include "tests/support/worlds.hpp"
@@ -85,6 +87,40 @@ RC_GTEST_PROP(RunDay, SurvivesAbsurdPlans, ()) {
   for (const auto& record : play(world, players)) {
     for (const auto& departures : record.exchange.departures) {
       RC_ASSERT(departures.refused >= 0);
+    }
+  }
+}
+
+/// Sends low-battery cars anywhere, as many as get there by what the reports say.
+Plan within_reach(const City& city, std::uint64_t seed, int tick, const std::vector<Report>& reports) {
+  RandomStream random(seed, Purpose::bootstrap, {.tick = static_cast<std::uint64_t>(tick)});
+  const FleetState state = fleet_state(reports, 0, 30, 1);
+  std::vector<Flow> flows;
+  std::vector<Arc> arcs;
+  for (int from = 0; from < city.size(); ++from) {
+    for (int to = 0; to < city.size(); ++to) {
+      if (from != to) {
+        flows.push_back({from, to, random.uniform(0.0, 2.0)});
+        arcs.push_back({from, to, city.km(from, to)});
+      }
+    }
+  }
+  Plan plan = hold(tick);
+  for (const auto& flow : round_to_vehicles(flows, state.low_battery.cast<int>(), reach_limits(state, arcs))) {
+    plan.moves.push_back({flow.from, flow.to, flow.vehicles, Errand::charge});
+  }
+  return plan;
+}
+
+RC_GTEST_PROP(RunDay, RefusesNobodyWithinReach, ()) {
+  const World world = *small_worlds();
+  const auto faults = *faults_for(world);
+  InprocPlayers players(
+      world, [&](const Tick& tick, const auto& reports) { return within_reach(world.city, 9, tick.tick, reports); },
+      [&](int tick) { return faults[tick]; });
+  for (const auto& record : play(world, players)) {
+    for (const auto& said : record.exchange.departures) {
+      RC_ASSERT(said.refused == 0);
     }
   }
 }

@@ -71,6 +71,15 @@ TEST(Metrics, TakeSupplyAfterTheExecutedDispatch) {
   EXPECT_DOUBLE_EQ(day.steps[0].unfairness.demand_drop_offs, (2.0 - 5.0 / 4.6) + (5.0 / 4.6 - 1.0 / 2.6));
 }
 
+TEST(Metrics, CountWhoTopsUpAsLowBattery) {
+  auto day = small_day();
+  day[2].exchange.departures[1].topped_up = 2;
+  const DayMetrics measured_day = measured(day);
+  EXPECT_EQ(measured_day.totals.flows.top_ups, 2);
+  EXPECT_EQ(measured_day.regions[3].supply, measured(small_day()).regions[3].supply - 2.0);
+  EXPECT_EQ(measured_day.regions[3].low_battery_present, measured(small_day()).regions[3].low_battery_present + 2.0);
+}
+
 TEST(Metrics, TotalsOfASmallDay) {
   const Totals totals = measured(small_day()).totals;
   EXPECT_EQ(totals.idle_km, 5.0);

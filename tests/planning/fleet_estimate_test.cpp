@@ -70,6 +70,38 @@ TEST(FleetEstimate, LosesNoVehicle) {
   }
 }
 
+TEST(FleetEstimate, TakesWhoTopsUpForPluggedIn) {
+  FleetEstimate estimate = small_estimate();
+  auto heard = all_with(30, 0);
+  heard[0]->chargeable = 28;
+  heard[0]->reach_m = {};
+  estimate.settle(0, heard);
+  estimate.advance(0, {{0, 0, 2, Errand::charge}}, testing::simple_transitions());
+  const auto reports = estimate.settle(2, silence);
+  EXPECT_EQ(reports[0].vacant, 28);
+  EXPECT_EQ(reports[0].plugged, 2);
+  EXPECT_EQ(reports[0].chargeable, 28);
+  EXPECT_TRUE(reports[0].bound.empty());
+}
+
+// What stands in for a report must not be one that cannot be true.
+TEST(FleetEstimate, KeepsCountsThatFitTogether) {
+  FleetEstimate estimate = small_estimate();
+  auto heard = all_with(30, 4);
+  for (auto& report : heard) {
+    report->chargeable = 30;
+    report->reach_m = {100, 200, 300, 400};
+  }
+  estimate.settle(0, heard);
+  for (int minute = 10; minute <= 60; minute += 10) {
+    estimate.advance(minute, {{0, 1, 25, Errand::rebalance}}, testing::simple_transitions());
+    for (const Report& report : estimate.settle(minute / 5, silence)) {
+      EXPECT_LE(report.chargeable, report.vacant);
+      EXPECT_LE(static_cast<int>(report.reach_m.size()), report.low_battery);
+    }
+  }
+}
+
 TEST(FleetEstimate, KnowsLessTheLongerItHearsNothing) {
   FleetEstimate estimate = small_estimate();
   estimate.settle(0, all_with(10, 0));

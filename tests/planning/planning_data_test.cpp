@@ -20,7 +20,9 @@ TEST(FleetState, CountsCarsWhereAndWhenTheyArrive) {
   std::vector<Report> reports(2);
   reports[1].region = 1;
   reports[0].vacant = 3;
+  reports[0].chargeable = 1;
   reports[1].low_battery = 2;
+  reports[1].reach_m = {1250};
   reports[1].plugged = 4;
   reports[1].points = 5;
   reports[0].waiting = 6;
@@ -29,15 +31,17 @@ TEST(FleetState, CountsCarsWhereAndWhenTheyArrive) {
   const FleetState state = fleet_state(reports, 100, 30, 2);
   EXPECT_EQ(state.vacant(0), 3.0);
   EXPECT_EQ(state.low_battery(1), 2.0);
+  EXPECT_EQ(state.chargeable(0), 1.0);
+  EXPECT_EQ(state.reach.at(1), (std::vector<double>{1.25}));
   EXPECT_EQ(state.plugged(1), 4.0);
   EXPECT_EQ(state.waiting(0), 6.0);
   EXPECT_EQ(state.occupied(0), 8.0);
   EXPECT_EQ(state.dropoffs_due(0, 0), 1.0);
   EXPECT_EQ(state.dropoffs_due(0, 1), 7.0);
-  EXPECT_EQ(state.arriving_vacant(0, 0), 2.0);
-  EXPECT_EQ(state.arriving_vacant(0, 1), 3.0);
+  EXPECT_DOUBLE_EQ(state.arriving_vacant(0, 0), 2.0 / 30.0) << "a minute of the step is left";
+  EXPECT_DOUBLE_EQ(state.arriving_vacant(0, 1), 2.0 * 29.0 / 30.0 + 3.0);
   EXPECT_EQ(state.arriving_low_battery(0, 1), 1.0);
-  EXPECT_EQ(state.arriving_vacant.sum(), 5.0) << "what arrives after the horizon is left out";
+  EXPECT_DOUBLE_EQ(state.arriving_vacant.sum(), 5.0) << "each once; what arrives after the horizon is left out";
   EXPECT_EQ(points_ahead(reports, 2)(1, 1), 5.0);
 }
 

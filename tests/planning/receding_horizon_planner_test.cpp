@@ -276,15 +276,21 @@ TEST(RecedingHorizonPlanner, PlansByAControllerOfOnesOwn) {
 
 RC_GTEST_PROP(RecedingHorizonPlannerProperty, NeverSendsMoreThanARegionHas, (std::uint64_t seed)) {
   RandomStream random(seed, Purpose::fleet, {});
+  City city = testing::small_city();
+  city.charging.top_up = *rc::gen::arbitrary<bool>();
   for (const std::string& controller : controller_names()) {
     PlanningSettings settings;
     settings.controller = controller;
     settings.engine.name = "cuts";
-    RecedingHorizonPlanner planner(testing::small_city(), {}, testing::date, settings, testing::small_model());
+    RecedingHorizonPlanner planner(city, {}, testing::date, settings, testing::small_model());
     auto reports = quiet_reports(0, 0);
     for (Report& report : reports) {
       report.vacant = static_cast<int>(random.below(20));
+      report.chargeable = static_cast<int>(random.below(static_cast<std::uint64_t>(report.vacant) + 1));
       report.low_battery = static_cast<int>(random.below(5));
+      for (int car = 0; car < report.low_battery; ++car) {
+        report.reach_m.push_back(3000 * car);
+      }
       report.points = static_cast<int>(random.below(3));
       report.plugged = static_cast<int>(random.below(static_cast<std::uint64_t>(report.points) + 1));
       report.bound = {{report.region, 7, Errand::passenger, static_cast<int>(random.below(4))}};
@@ -292,10 +298,14 @@ RC_GTEST_PROP(RecedingHorizonPlannerProperty, NeverSendsMoreThanARegionHas, (std
     const Plan plan = planner.plan(at(0), reports);
     RC_ASSERT(plan.provenance.fallback == FallbackLevel::none);
     std::map<std::pair<Errand, int>, int> sent;
+    std::map<int, int> topped_up;
     for (std::size_t m = 0; m < plan.moves.size(); ++m) {
       const Move& move = plan.moves[m];
-      RC_ASSERT(move.count >= 1 && move.from != move.to);
-      sent[{move.errand, move.from}] += move.count;
+      const bool stays = move.from == move.to;
+      RC_ASSERT(move.count >= 1);
+      RC_ASSERT(!stays || (city.charging.top_up && move.errand == Errand::charge));
+      sent[{stays ? Errand::rebalance : move.errand, move.from}] += move.count;
+      topped_up[move.from] += stays ? move.count : 0;
       if (m > 0) {
         const Move& before = plan.moves[m - 1];
         RC_ASSERT(std::tie(before.errand, before.from, before.to) < std::tie(move.errand, move.from, move.to));
@@ -305,6 +315,8 @@ RC_GTEST_PROP(RecedingHorizonPlannerProperty, NeverSendsMoreThanARegionHas, (std
       const int vacant = sent[{Errand::rebalance, report.region}];
       const int low_battery = sent[{Errand::charge, report.region}];
       RC_ASSERT(vacant <= report.vacant && low_battery <= report.low_battery);
+      RC_ASSERT(topped_up[report.region] <=
+                std::min(report.chargeable, std::max(0, report.points - report.plugged - report.low_battery)));
     }
   }
 }

@@ -17,7 +17,9 @@ Report sound() {
   Report report;
   report.tick = 6;
   report.vacant = 3;
+  report.chargeable = 3;
   report.low_battery = 2;
+  report.reach_m = {0, 900};
   report.plugged = 2;
   report.points = 4;
   report.plugged_since = {5, 20};
@@ -44,6 +46,11 @@ TEST(ReportCheck, SaysWhatCannotBe) {
                  [](Report& r) { r.vacant = r.low_battery = r.bound[0].count = 2147483647; });
   expect_invalid("completions 41, possible 40", [](Report& r) { r.completions = 41; });
   expect_invalid("demand and waiting 2147483647, possible 1140000", [](Report& r) { r.demand = 2147483647; });
+  expect_invalid("chargeable 4, vacant 3", [](Report& r) { r.chargeable = 4; });
+  expect_invalid("chargeable -7", [](Report& r) { r.chargeable = -7; });
+  expect_invalid("low_battery 1, reach_m 2", [](Report& r) { r.low_battery = 1; });
+  expect_invalid("reach_m is not in order or below zero", [](Report& r) { r.reach_m = {900, 0}; });
+  expect_invalid("reach_m is not in order or below zero", [](Report& r) { r.reach_m = {-1}; });
   expect_invalid("plugged 3, plugged_since 2", [](Report& r) { r.plugged = 3; });
   expect_invalid("plugged_since is not in order or not of the day", [](Report& r) { r.plugged_since[1] = 31; });
   expect_invalid("bound has cars to elsewhere, none, or of the past", [](Report& r) { r.bound[0].region = 1; });
@@ -92,6 +99,7 @@ RC_GTEST_PROP(ReportCheck, WhatIsBelievedIsWithinBounds, ()) {
     believed += report ? 1U : 0U;
     RC_ASSERT(!report || (report->vacant >= 0 && report->vacant + report->low_battery + report->plugged <= 20));
     RC_ASSERT(!report || report->plugged <= report->points);
+    RC_ASSERT(!report || report->chargeable <= report->vacant);
   }
   RC_ASSERT(checked.rejected.size() + believed >= std::max<std::size_t>(2, reports.size()));
 }

@@ -1,5 +1,6 @@
 #include "agents/region/sensors.hpp"
 
+#include "agents/protocol/words.hpp"
 #include "tests/region/plant_fixture.hpp"
 
 #include <gtest/gtest.h>
@@ -55,6 +56,19 @@ TEST(Sensors, AreStuckAtTheFirstValueUntilTheFaultEnds) {
 
 TEST(Sensors, MayBeBiased) {
   EXPECT_EQ(errors_under(lie(EffectType::sensor_biased, -3.0), 2, 4, 6), (Errors{0, -3, 0}));
+}
+
+TEST(Sensors, LieOnEveryFieldThatIsMeasured) {
+  for (std::size_t field = 1; field < enumerators<ReportField>; ++field) {
+    SensorMemory memory;
+    std::vector<Observed> observed(1);
+    const auto which = static_cast<ReportField>(field);
+    const Report said =
+        sensed(truth_at(0), {lie(EffectType::sensor_biased, 5.0, which)}, tick_minutes, 7, memory, observed);
+    const auto member = measured.at(index_of(which)).member;
+    EXPECT_EQ(said.*member, truth_at(0).*member + 5) << word(which);
+    EXPECT_EQ(measured.at(index_of(which)).name, word(which));
+  }
 }
 
 TEST(Sensors, MayBeLate) {

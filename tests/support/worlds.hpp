@@ -44,6 +44,7 @@ inline rc::Gen<World> small_worlds() {
     world.demand = *rc::gen::element(DemandModel::recorded, DemandModel::poisson);
     world.city.passengers = {.patience_low = 1.0, .patience_high = 12.0};
     world.city.fleet.initial_charge_low = 0.0;
+    world.city.charging.top_up = *rc::gen::arbitrary<bool>();
     return world;
   });
 }
@@ -82,11 +83,16 @@ inline Plan wander(std::uint64_t seed, int tick, const std::vector<Report>& repo
   RandomStream random(seed, Purpose::bootstrap, {.tick = static_cast<std::uint64_t>(tick)});
   Plan plan;
   plan.tick = tick;
-  for (const Errand errand : {Errand::rebalance, Errand::charge}) {
-    for (const auto& report : reports) {
-      const int there = errand == Errand::rebalance ? report.vacant : report.low_battery;
+  for (const auto& report : reports) {
+    int vacant = report.vacant;
+    for (const Errand errand : {Errand::rebalance, Errand::charge}) {
       const int to = static_cast<int>(random.below(reports.size()));
+      const bool stays = errand == Errand::charge && to == report.region;
+      const int there = errand == Errand::rebalance ? vacant
+                        : stays                     ? std::min(vacant, report.chargeable)
+                                                    : report.low_battery;
       const int count = static_cast<int>(random.below(static_cast<std::uint64_t>(there) + 1));
+      vacant -= errand == Errand::rebalance ? count : 0;
       if (count > 0) {
         plan.moves.push_back({.from = report.region, .to = to, .count = count, .errand = errand});
       }

@@ -44,6 +44,7 @@ TEST(World, TakesThePackAsItIs) {
   EXPECT_EQ(world.demand, DemandModel::recorded);
   EXPECT_EQ(world.clock.start, world.city.day_start);
   EXPECT_GT(world.city.fleet.vehicles, 0);
+  EXPECT_FALSE(world.city.charging.top_up);
 }
 
 TEST(World, EveryAssumptionCanBeOverridden) {
@@ -51,7 +52,7 @@ TEST(World, EveryAssumptionCanBeOverridden) {
 demand: poisson
 clock: {start: "06:00", end: "09:00", tick: 2min, step: 30min, plan_every: 10min}
 fleet: {vehicles: 12, battery_kwh: 33.3, km_per_kwh: 6.1, initial_charge: [0.25, 0.5]}
-charging: {power_kw: 22, session_quantiles: [5min, 0.5h, 1h]}
+charging: {power_kw: 22, session_quantiles: [5min, 0.5h, 1h], top_up: true}
 passengers: {patience: [3min, 4.5min]}
 stations:
   - {name: "the \"hub\"", region: 4, points: 9}
@@ -63,6 +64,8 @@ stations:
   EXPECT_EQ(world.city.fleet.vehicles, 12);
   EXPECT_EQ(world.city.fleet.initial_charge_high, 0.5);
   EXPECT_EQ(world.city.charging.session_quantiles, (std::vector<double>{5.0, 30.0, 60.0}));
+  EXPECT_TRUE(world.city.charging.top_up);
+  EXPECT_TRUE(read(world_yaml(world)).city.charging.top_up);
   EXPECT_EQ(world.city.passengers.patience_high, 4.5);
   ASSERT_EQ(world.city.stations.size(), 2U);
   EXPECT_EQ(world.city.points()[4], 9);

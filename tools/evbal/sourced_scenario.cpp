@@ -75,7 +75,8 @@ std::string source_of_default(const std::string& path) {
     return "the file's name";
   }
   const bool of_pack = path == "clock.start" || path == "stations" || path.starts_with("fleet.") ||
-                       path.starts_with("charging.") || path.starts_with("passengers.");
+                       path == "charging.power_kw" || path == "charging.session_quantiles" ||
+                       path.starts_with("passengers.");
   return of_pack ? "the city's pack" : "default";
 }
 

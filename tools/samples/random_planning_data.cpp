@@ -79,6 +79,8 @@ PlanningData random_planning_data(std::uint64_t seed, const DataShape& shape) {
   data.state.waiting = matrix(n, 1, [&] { return count(0.05 * cars); });
   data.state.arriving_vacant = matrix(n, shape.tau, [&] { return count(0.03 * cars); });
   data.state.arriving_low_battery = matrix(n, shape.tau, [&] { return count(0.02 * cars); });
+  data.state.chargeable = (shape.chargeable_share * data.state.vacant).array().floor();
+  data.state.reach.resize(static_cast<std::size_t>(n));
   data.points = Eigen::MatrixXd::Zero(n, shape.tau);
   for (int i = 0; i < n; ++i) {
     if (shape.station_share > 0.0 && (i == 0 || random.uniform() < shape.station_share)) {

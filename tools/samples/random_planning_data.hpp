@@ -15,6 +15,7 @@ struct DataShape {
   double vehicles_per_region = 10.0;  ///< vacant
   double demand_scale = 1.0;          ///< on the expected passengers
   double station_share = 0.4;         ///< of the regions; the first always has one, unless this is 0
+  double chargeable_share = 0.0;      ///< of the vacant cars
   int out_degree = 0;                 ///< cars reach a region itself and so many nearest in a step; 0: every region
 };
 

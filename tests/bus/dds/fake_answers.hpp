@@ -33,6 +33,7 @@ inline Report report(int tick, int region) {
           .region = region,
           .vacant = 10 + (tick + region) % 5,
           .plugged_since = std::vector<int>(4, tick),
+          .reach_m = {},
           .bound = std::vector<UnderWay>(6, {.region = region, .minute = tick, .count = 1}),
           .origin = {}};
 }

@@ -150,8 +150,9 @@ async function checkRun(files) {
   const hours = rowsOf(fileOf(cardOf("Lost passengers"), "CSV")).filter(row => row.series === "nominal");
   hours.forEach((hour, i) =>
     same(Number(hour["passengers per hour"]), +steps[2 * i].lost + +steps[2 * i + 1].lost, hour.name));
-  const costs = ["km", "queue", "release", "shortage", "surplus", "utilisation", "penalty", "objective"].map(
-    term => Number(cellBeside(term).replaceAll(",", "")));
+  const terms = report.runs[0].plan_costs.map(one => one.term);
+  check(["km", "queue", "release", "shortage", "surplus", "utilisation"].every(term => terms.includes(term)), terms);
+  const costs = [...terms, "objective"].map(term => Number(cellBeside(term).replaceAll(",", "")));
   check(costs[0] > 0, "plans that drive cost no km");
   check(Math.abs(d3.sum(costs.slice(0, -1)) - costs.at(-1)) < 0.5, "the terms", ...costs, "do not sum to the objective");
   const faults = rowsOf(files.faults);

@@ -52,6 +52,8 @@ const totals = [
   {name: "Idle distance per served passenger", unit: "km", digits: 2, better: -1,
    value: run => run.totals.idle_km_per_served},
   {name: "Stranded cars", digits: 0, better: -1, value: run => run.totals.stranded},
+  {name: "Top-up sessions", digits: 0, better: 0, value: run => run.totals.top_ups},
+  {name: "Cars asked for that were not there", digits: 0, better: -1, value: run => run.totals.refused},
   {name: "Energy charged", unit: "kWh", digits: 0, better: 0, value: run => run.totals.charged_kwh},
   {name: "Plans that fell back", digits: 0, better: 0, value: run => run.fallbacks},
   {name: "Solver time per plan, median", unit: "s", digits: 2, better: 0, value: run => run.solve_seconds_median},
