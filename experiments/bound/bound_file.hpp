@@ -11,7 +11,8 @@
 namespace evbal {
 
 /// A fingerprint of all that a scenario's bound comes from: the city's pack, day, seed, clock, number of vehicles,
-/// patience and faults. Controllers, prices, batteries and chargers are no part of it, nor how often plans are made.
+/// patience and faults. Controllers, prices, batteries, chargers and top-up charging are no part of it, nor how often
+/// plans are made.
 /// Throws Error{bad_input} if the pack cannot be read.
 std::string bound_key(const Scenario& scenario);
 

@@ -240,16 +240,19 @@ TEST(DayBound, IsBelowEveryControllerOnTheToyCity) {
                         "faults={schema: 1, seed: 1, faults: [{name: spike, type: demand.scale, target: {regions: "
                         "[1, 4]}, start: \"08:00\", duration: 90min, magnitude: 1.8}]}",
                         "transport=inproc"};
-  const Scenario scenario = read_scenario(test::in_source("experiments/scenarios/toy.yaml"), overrides);
+  Scenario scenario = read_scenario(test::in_source("experiments/scenarios/toy.yaml"), overrides);
   const DayBound bound = day_bound(bound_day(scenario), prices, never);
   EXPECT_GT(bound.points.back().bound, 1.0);
-  for (const std::string& controller : controller_names()) {
-    const Totals totals = play_day(with_controller(scenario, controller)).metrics.totals;
-    const double km = totals.flows.rebalance_km + totals.flows.charge_km;
-    for (const BoundPoint& point : bound.points) {
-      EXPECT_GE(point.price * static_cast<double>(totals.flows.lost) + km, point.bound) << controller;
+  for (const bool top_up : {false, true}) {
+    scenario.world.city.charging.top_up = top_up;
+    for (const std::string& controller : controller_names()) {
+      const Totals totals = play_day(with_controller(scenario, controller)).metrics.totals;
+      const double km = totals.flows.rebalance_km + totals.flows.charge_km;
+      for (const BoundPoint& point : bound.points) {
+        EXPECT_GE(point.price * static_cast<double>(totals.flows.lost) + km, point.bound) << controller;
+      }
+      EXPECT_GE(static_cast<double>(totals.flows.lost), fewest_lost(bound, km)) << controller;
     }
-    EXPECT_GE(static_cast<double>(totals.flows.lost), fewest_lost(bound, km)) << controller;
   }
 }
 

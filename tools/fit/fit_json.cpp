@@ -1,5 +1,7 @@
 #include "tools/fit/fit_json.hpp"
 
+#include "common/clock.hpp"
+#include "tools/fit/trip_shares.hpp"
 #include "tools/fit/turnover_fit.hpp"
 
 #include <nlohmann/json.hpp>
@@ -97,6 +99,16 @@ Json turnover_json(const CityFit& fit) {
   return json;
 }
 
+Json trips_json(const CityModel& model) {
+  Json json = Json::array();
+  for (const TripPeriod& period : model.trips) {
+    json.push_back({{"start", time_of_day({.start = 0}, period.start)},
+                    {"pairs", period.shares.size()},
+                    {"within", share_within(period, model.regions())}});
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string fit_json(const City& city, const CityFit& fit, const std::filesystem::path& model) {
@@ -104,7 +116,8 @@ std::string fit_json(const City& city, const CityFit& fit, const std::filesystem
                      {"greedy", {{"served", fit.served}, {"lost", fit.lost}}},
                      {"demand", series_json(fit.demand, city.regions)},
                      {"completions", series_json(fit.completions, city.regions)},
-                     {"turnover", turnover_json(fit)}};
+                     {"turnover", turnover_json(fit)},
+                     {"trips", trips_json(fit.model)}};
   return json.dump(2) + "\n";
 }
 

@@ -1,5 +1,6 @@
 #include "tools/fit/print_fit.hpp"
 
+#include "tools/fit/trip_shares.hpp"
 #include "tools/fit/turnover_fit.hpp"
 
 #include <array>
@@ -145,12 +146,9 @@ void print_turnover(const CityFit& fit) {
 void print_trips(const CityModel& model) {
   std::printf("\nwhere trips go, by period from\n");
   for (const TripPeriod& period : model.trips) {
-    double within = 0.0;
-    for (const TripShare& pair : period.shares) {
-      within += pair.origin == pair.destination ? pair.share : 0.0;
-    }
     std::printf("%02d:%02d  %zu pairs of regions; %.1f %% of a region's trips end in it, on average\n",
-                period.start / 60, period.start % 60, period.shares.size(), percent(within, model.regions()));
+                period.start / 60, period.start % 60, period.shares.size(),
+                100.0 * share_within(period, model.regions()));
   }
 }
 

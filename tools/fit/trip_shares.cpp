@@ -80,4 +80,12 @@ std::vector<TripPeriod> trip_shares(const City& city, const std::vector<DemandDa
   return periods;
 }
 
+double share_within(const TripPeriod& period, int regions) {
+  double within = 0.0;
+  for (const TripShare& pair : period.shares) {
+    within += pair.origin == pair.destination ? pair.share : 0.0;
+  }
+  return within / regions;
+}
+
 }  // namespace evbal

@@ -13,4 +13,7 @@ namespace evbal {
 /// are left out.
 std::vector<TripPeriod> trip_shares(const City& city, const std::vector<DemandDay>& days);
 
+/// The share of a region's trips that end in it, on average over this many regions.
+double share_within(const TripPeriod& period, int regions);
+
 }  // namespace evbal

@@ -27,9 +27,11 @@ TEST(Bound, IsComputedOnceAndFoundAgain) {
   const std::string csv = text_of(kept(line));
   EXPECT_EQ(csv.rfind("price,bound,tight,down_km,", 0), 0U) << csv;
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3);
-  // Nothing is solved again, whatever controller is asked for and however often plans are made.
+  // Nothing is solved again, whatever controller is asked for, however often plans are made and whether cars may top
+  // up.
   line.scenario("morning.yaml", "balancing: {p_shortage: 3}\n");
-  const Ended again = line.evbal("bound morning.yaml --prices 10 2 --set clock.plan_every=30min");
+  const Ended again =
+      line.evbal("bound morning.yaml --prices 10 2 --set clock.plan_every=30min --set charging.top_up=true");
   EXPECT_EQ(again.out, first.out);
   EXPECT_EQ(again.err, "");
   EXPECT_EQ(line.evbal("bound morning.yaml --prices 2 --seed 2").status, 0);

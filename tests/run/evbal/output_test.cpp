@@ -108,6 +108,12 @@ TEST(Json, HoldsHowGoodAFitIs) {
                   100.0 * of["test"]["of_seasonal_mean"][1].get<double>());
     EXPECT_NE(table.find(row.data()), std::string::npos) << row.data() << "\n" << table;
   }
+  ASSERT_EQ(fit["trips"].size(), 10U);
+  std::array<char, 64> period{};
+  std::snprintf(period.data(), period.size(), "\n05:00  %d pairs of regions; %.1f %% of",
+                fit["trips"][0]["pairs"].get<int>(), 100.0 * fit["trips"][0]["within"].get<double>());
+  EXPECT_EQ(fit["trips"][0]["start"], "05:00");
+  EXPECT_NE(table.find(period.data()), std::string::npos) << period.data() << "\n" << table;
   EXPECT_NE(text_of(line.path() / "err.txt").find("demand: "), std::string::npos) << "what is done next";
 }
 

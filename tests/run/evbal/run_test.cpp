@@ -182,14 +182,16 @@ TEST(Run, IsTheSameIfAProcessIsKilledMeanwhile) {
 
 TEST(Run, EndsItsProcessesOnCtrlC) {
   const CommandLine line;
-  const pid_t launcher = line.start("run morning.yaml --transport dds --controller robust --out a");
+  const pid_t launcher = line.start(
+      "run morning.yaml --transport dds --controller robust --out a "
+      "--set clock.start=05:00 --set clock.end=24:00 --set clock.plan_every=5min");
   const fs::path mark = line.path() / "a" / "INCOMPLETE";
-  for (int i = 0; i < 600 && text_of(mark).find("of 36 ticks") == std::string::npos; ++i) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  for (int i = 0; i < 6000 && text_of(mark).find("of 228 ticks") == std::string::npos; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   kill(launcher, SIGINT);
   EXPECT_EQ(wait_for(launcher), 3) << text_of(line.path() / "err.txt");
-  EXPECT_NE(text_of(mark).find("of 36 ticks"), std::string::npos);
+  EXPECT_NE(text_of(mark).find("of 228 ticks"), std::string::npos);
   for (const auto& entry : fs::directory_iterator("/proc")) {
     EXPECT_EQ(text_of(entry.path() / "cmdline").find(line.path().string()), std::string::npos) << entry.path();
   }
