@@ -139,8 +139,12 @@ TEST_F(OwnCoordinator, EndsWithABridgeThatIsKilled) {
                                               "read question\n"
                                               "[ $(wc -l <ids.txt) -gt 1 ] || kill -KILL $PPID\n"
                                               "while :; do echo '{\"moves\": []}'; read question || sleep 0.1; done\n";
-  const Ended ended = run("evbal-bridge sh kills.sh");
+  // Without faults there is no second day beside this one, whose child would add its id.
+  const Ended ended =
+      run("evbal-bridge sh kills.sh", "--controller mine --set 'faults={schema: 1, seed: 1, faults: []}'");
   ASSERT_EQ(ended.status, 0) << ended.err;
+  SQLite::Database record(line_.path() / "run" / "run.sqlite");
+  EXPECT_EQ(record.execAndGet("SELECT count(*) FROM events WHERE kind = 'process ended'").getInt(), 1);
   std::istringstream ids(text_of(line_.path() / "ids.txt"));
   int count = 0;
   for (std::string id; ids >> id; ++count) {
