@@ -1,12 +1,6 @@
 #include "agents/world/draws.hpp"
 #include "common/error.hpp"
-#include "coordinator/balancing/controllers.hpp"
 #include "experiments/bound/bound_front.hpp"
-#include "experiments/conductor/inproc_players.hpp"
-#include "experiments/conductor/run_day.hpp"
-#include "experiments/run/record_day.hpp"
-#include "experiments/scenario/scenario.hpp"
-#include "tests/support/source_folder.hpp"
 #include "tests/support/worlds.hpp"
 #include "tools/verify/cheapest_day.hpp"
 
@@ -20,8 +14,6 @@
 
 namespace evbal {
 namespace {
-
-const std::vector<double> prices = {0.5, 3.0, 30.0};
 
 bool never(const BoundProgress&) {
   return false;
@@ -43,38 +35,6 @@ BoundDay two_regions(const std::vector<int>& cars, const std::vector<BoundPassen
   day.cars = cars;
   day.passengers = passengers;
   return day;
-}
-
-/// To whoever waits most come all cars of the regions that have more than they need.
-Plan chase(int tick, const std::vector<Report>& reports) {
-  Plan plan;
-  plan.tick = tick;
-  const auto needy = std::max_element(reports.begin(), reports.end(), [](const Report& a, const Report& b) {
-    return a.waiting - a.vacant < b.waiting - b.vacant;
-  });
-  for (const Report& report : reports) {
-    const int spare = report.vacant - report.waiting;
-    if (needy->waiting > needy->vacant && report.region != needy->region && spare > 0) {
-      plan.moves.push_back({.from = report.region, .to = needy->region, .count = spare, .errand = Errand::rebalance});
-    }
-  }
-  return plan;
-}
-
-/// What a played day came to, all km without passengers counted.
-Driving came_to(const World& world, const InprocPlayers::Planner& planner, const std::vector<Faults>& faults) {
-  InprocPlayers players(world, planner, [&](int tick) { return faults[tick]; });
-  Driving driving;
-  run_day(world, players, [&](const TickRecord& record) {
-    for (const Departures& said : record.exchange.departures) {
-      for (const Departure& departure : said.departures) {
-        driving.km += departure.errand == Errand::passenger ? 0.0 : departure.km;
-      }
-      driving.lost += static_cast<double>(
-          std::count_if(said.fates.begin(), said.fates.end(), [](const Fate& fate) { return !fate.served; }));
-    }
-  });
-  return driving;
 }
 
 /// All that makes a passenger, to be sorted.
@@ -207,53 +167,6 @@ TEST(DayBound, IsNotAboveTheBestOfAllPlays) {
   // Nothing is rounded on these. In the others half a car serves half a passenger, or leaves when it arrives.
   EXPECT_GE(days, 15);
   EXPECT_GE(4 * equal, 3 * days);
-}
-
-// Whoever plays, whatever goes wrong: no day lies below the bound.
-RC_GTEST_PROP(DayBound, IsNeverBeaten, ()) {
-  const World world = *test::small_worlds();
-  auto faults = *test::faults_for(world);
-  for (Faults& of_tick : faults) {
-    for (Effect& effect : of_tick.effects) {
-      if (effect.type == EffectType::travel_slow) {
-        effect.magnitude = std::max(1.0, effect.magnitude);  // as schedules ask for it
-      }
-    }
-  }
-  const DayBound bound = day_bound(bound_day(world, [&](int tick) { return faults[tick]; }), prices, but_up);
-  const std::vector<InprocPlayers::Planner> planners = {
-      [](const Tick& tick, const auto&) { return test::hold(tick.tick); },
-      [](const Tick& tick, const auto& reports) { return test::wander(1, tick.tick, reports); },
-      [](const Tick& tick, const auto& reports) { return chase(tick.tick, reports); }};
-  for (const auto& planner : planners) {
-    const Driving played = came_to(world, planner, faults);
-    RC_ASSERT(played.lost >= bound.capacity.lost);
-    for (const BoundPoint& point : bound.points) {
-      RC_ASSERT(point.price * played.lost + played.km >= point.bound - 1e-6);
-    }
-  }
-}
-
-TEST(DayBound, IsBelowEveryControllerOnTheToyCity) {
-  Overrides overrides;
-  overrides.settings = {"clock={start: \"07:00\", end: \"10:00\", tick: 5min, step: 30min, plan_every: 10min}",
-                        "faults={schema: 1, seed: 1, faults: [{name: spike, type: demand.scale, target: {regions: "
-                        "[1, 4]}, start: \"08:00\", duration: 90min, magnitude: 1.8}]}",
-                        "transport=inproc"};
-  Scenario scenario = read_scenario(test::in_source("experiments/scenarios/toy.yaml"), overrides);
-  const DayBound bound = day_bound(bound_day(scenario), prices, never);
-  EXPECT_GT(bound.points.back().bound, 1.0);
-  for (const bool top_up : {false, true}) {
-    scenario.world.city.charging.top_up = top_up;
-    for (const std::string& controller : controller_names()) {
-      const Totals totals = play_day(with_controller(scenario, controller)).metrics.totals;
-      const double km = totals.flows.rebalance_km + totals.flows.charge_km;
-      for (const BoundPoint& point : bound.points) {
-        EXPECT_GE(point.price * static_cast<double>(totals.flows.lost) + km, point.bound) << controller;
-      }
-      EXPECT_GE(static_cast<double>(totals.flows.lost), fewest_lost(bound, km)) << controller;
-    }
-  }
 }
 
 // The capacity bound knows no places.
