@@ -91,20 +91,23 @@ class FlowFormulator {
     }
   }
 
-  // p_f / K  E[(N_i(k) - C)_+]: a hinge of C for each value of N_i(k)
+  // p_k E[(N_i(k) - C)_+]: a hinge of C for each value of N_i(k)
   std::vector<Hinge> missed(int k, int i) const {
     const DiscreteDistribution N = passengers(k, i);
     std::vector<Hinge> hinges;
     for (std::size_t m = 0; m < N.values.size(); ++m) {
-      hinges.push_back({"shortage", -p_.p_flow / K_ * N.probabilities[m], N.values[m]});
+      hinges.push_back({"shortage", -price(k) * N.probabilities[m], N.values[m]});
     }
     return hinges;
   }
 
+  // p_k
+  double price(int k) const { return p_.p_flow * ((1.0 - p_.flow_end) / K_ + (k + 1 == K_ ? p_.flow_end : 0.0)); }
+
   // N_i(k)
   DiscreteDistribution passengers(int k, int i) const {
     constexpr double least = 1.0 / 24.0;  // of the probability, for each of its values: few parts of C
-    const double mean = demand_.within((k + 1) * p_.flow_slot, i);
+    const double mean = demand_.within(std::max(0.0, (k + 1) * p_.flow_slot - p_.flow_patience), i);
     const auto step = static_cast<Eigen::Index>(k * p_.flow_slot / data_.step_minutes);
     const double variance = data_.turnover.demand.at(step, mean) + data_.freed.variance(i, k);
     return uncertainty_ == Uncertainty::mean ? certain(mean) : negative_binomial(mean, variance, least);

@@ -16,12 +16,14 @@
 //
 //   C_i(k)       vacant cars that region i has had by then, so many passengers it can serve;  C_i(-1) = V_i
 //   freed_i(k)   cars that become vacant there by then if nobody is sent (FreedCars);  freed_i(-1) = 0
-//   N_i(k)       passengers who want a car there by then (CumulativeDemand)
+//   N_i(k)       passengers who have to have a car there by then: who want one flow_patience earlier (CumulativeDemand)
 //   x_ij(m)      cars that set off from i to j at the start of slot m = 0..2
 //
 //   C_i(k) = C_i(k-1) + freed_i(k) - freed_i(k-1) + in_i(k) - out_i(k)          row "cars"
 //   out_i(m) <= C_i(m-1)                                                        row "set off"
-//   min  sum w_ij x_ij(m)  +  p_f / K  sum_k E[(N_i(k) - C_i(k))_+]             terms "km" and "shortage"
+//   min  sum w_ij x_ij(m)  +  sum_k p_k E[(N_i(k) - C_i(k))_+]                  terms "km" and "shortage"
+//        p_k = p_f (1 - end) / K,   to which the last slot adds  p_f end
+//
 //
 //   out_i(m) = sum_j x_ij(m);   in_i(k) = sum of those x_ji(m) for which k is the first slot with
 //   m delta + t_ji <= (k+1) delta.  Cars that top up (top_up.hpp) set off in slot 0 too, and are back after a mean

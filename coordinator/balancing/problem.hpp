@@ -35,14 +35,16 @@ struct BalancingParameters {
   int tau = 2;               ///< steps in the horizon
   double top_up = 3.0;       ///< km per vacant car that charges where it stands, at a point that would stay free
   Supply supply = Supply::completions;  ///< what J_E takes the supply to be
-  double p_flow = 48.0;       ///< km per passenger who goes without a car for the whole time ahead (flow only)
-  int flow_slot = 10;         ///< minutes of a slot (the flow_... are for `flow` only)
-  int flow_slots = 6;         ///< slots that `flow` looks ahead
-  int flow_sends = 3;         ///< the first so many slots are those in which cars may set off
-  double flow_m1 = 25.0;      ///< as m1
-  int flow_neighbours = 20;   ///< as neighbours
-  double flow_served = 0.95;  ///< at most this share of the passengers to come is served and gets out again
-  double flow_pickup = 2.0;   ///< minutes that a passenger who is served waits
+  double p_flow = 72.0;        ///< km per passenger who goes without a car for the whole time ahead (flow only)
+  int flow_slot = 10;          ///< minutes of a slot (the flow_... are for `flow` only)
+  int flow_slots = 9;          ///< slots that `flow` looks ahead
+  int flow_sends = 3;          ///< the first so many slots are those in which cars may set off
+  double flow_m1 = 25.0;       ///< as m1
+  int flow_neighbours = 35;    ///< as neighbours
+  double flow_end = 0.5;       ///< share of p_flow that stands on having no car by the end of all slots
+  double flow_patience = 9.0;  ///< minutes that a passenger may wait for a car without cost
+  double flow_served = 0.95;   ///< at most this share of the passengers to come is served and gets out again
+  double flow_pickup = 2.0;    ///< minutes that a passenger who is served waits
 };
 
 /// Vehicles as they stand when a plan is made; all N, in vehicles.

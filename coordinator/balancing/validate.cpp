@@ -119,6 +119,8 @@ void check_parameters(Complaint& complaint, const BalancingParameters& p) {
   complaint.require(p.top_up, 0.0, most_price, "parameter top_up");
   complaint.require(p.m1, 0.0, infinity, "parameter m1");
   complaint.require(p.m2, 0.0, infinity, "parameter m2");
+  complaint.require(p.flow_end, 0.0, 1.0, "parameter flow_end");
+  complaint.require(p.flow_patience, 0.0, most_minutes, "parameter flow_patience");
   complaint.require(p.flow_slot, 1.0, most_minutes, "parameter flow_slot");
   complaint.require(p.flow_m1, 0.0, infinity, "parameter flow_m1");
 }

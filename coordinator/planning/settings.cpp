@@ -18,7 +18,7 @@ struct Price {
   double low;
   double high;
 };
-constexpr std::array<Price, 17> prices{{
+constexpr std::array<Price, 19> prices{{
     {"a", &BalancingParameters::a, 1e-3, 2.0},
     {"theta_0", &BalancingParameters::theta_0, 0.0, 1e6},
     {"eps", &BalancingParameters::eps, 1e-3, 1e3},
@@ -34,6 +34,8 @@ constexpr std::array<Price, 17> prices{{
     {"m1", &BalancingParameters::m1, 0.0, 1e4},
     {"m2", &BalancingParameters::m2, 0.0, 1e4},
     {"flow_m1", &BalancingParameters::flow_m1, 0.0, 1e4},
+    {"flow_end", &BalancingParameters::flow_end, 0.0, 1.0},
+    {"flow_patience", &BalancingParameters::flow_patience, 0.0, 60.0},
     {"flow_served", &BalancingParameters::flow_served, 0.0, 1.0},
     {"flow_pickup", &BalancingParameters::flow_pickup, 0.0, 60.0},
 }};

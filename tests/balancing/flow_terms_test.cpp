@@ -16,7 +16,10 @@
 namespace evbal {
 namespace {
 
-const double p_flow = BalancingParameters{}.p_flow;
+// What a passenger costs who goes without a car in one slot of K: all slots cost p_flow, the last one half of it alone.
+double price(int k, int K) {
+  return BalancingParameters{}.p_flow * (k + 1 == K ? 0.5 + 0.5 / K : 0.5 / K);
+}
 
 // A city without passengers, cars and chargers, in which all ways are of 5 km and 15 minutes.
 PlanningData empty_city(int regions) {
@@ -84,14 +87,15 @@ TEST(Flow, CountsACarOnce) {
   data.state.waiting << 0.0, 1.25, 1.25;
   const BalancingResult one = flow(data, {}, Uncertainty::mean);
   ASSERT_EQ(one.dispatch.vacant.front().size(), 1U);
-  EXPECT_NEAR(cost_of("shortage", one), p_flow * (1.0 + 1.0 / 6.0), 1e-6) << "a passenger waits, one for a slot of six";
+  EXPECT_NEAR(cost_of("shortage", one), BalancingParameters{}.p_flow + price(0, 6), 1e-6)
+      << "a passenger waits, one for a slot of six";
   // A car on its way to one of them is none the less one car, and none is sent after it.
   data.state.vacant.setZero();
   data.freed.mean.row(1).tail(5).setOnes();
   data.state.waiting(2) = 0.0;
   const BalancingResult under_way = flow(data, {}, Uncertainty::mean);
   EXPECT_TRUE(under_way.dispatch.vacant.front().empty());
-  EXPECT_NEAR(cost_of("shortage", under_way), p_flow / 6.0, 1e-6);
+  EXPECT_NEAR(cost_of("shortage", under_way), price(0, 6), 1e-6);
 }
 
 // Cars that become vacant are sent in the slot after, at the earliest.
@@ -102,7 +106,7 @@ TEST(Flow, SendsNobodyWhoIsNotThereYet) {
   const BalancingResult result = flow(data, {}, Uncertainty::mean);
   EXPECT_TRUE(result.dispatch.vacant.front().empty());
   EXPECT_NEAR(cost_of("km", result), 5.0, 1e-6) << "it is sent in slot 1";
-  EXPECT_NEAR(cost_of("shortage", result), p_flow * 2.0 / 6.0, 1e-6) << "and there by the end of slot 2";
+  EXPECT_NEAR(cost_of("shortage", result), 2.0 * price(0, 6), 1e-6) << "and there by the end of slot 2";
 }
 
 TEST(Flow, PricesTheExpectedShortageOfItsDistribution) {
@@ -115,11 +119,12 @@ TEST(Flow, PricesTheExpectedShortageOfItsDistribution) {
     data.freed.variance = 0.5 * data.freed.mean;
     double expected = 0.0;
     for (int k = 0; k < 6; ++k) {
-      const double mean = 2.4 + 3.0 * std::min(k + 1, 3) + 5.0 / 3.0 * std::max(0, k - 2);
+      const double minutes = 10.0 * (k + 1) - BalancingParameters{}.flow_patience;
+      const double mean = 2.4 + 9.0 / 30.0 * std::min(minutes, 30.0) + 5.0 / 30.0 * std::max(0.0, minutes - 30.0);
       const double variance = data.turnover.demand.at(k / 3, mean) + data.freed.variance(0, k);
       const DiscreteDistribution law = negative_binomial(mean, variance, 1.0 / 24.0);
       for (std::size_t m = 0; m < law.values.size(); ++m) {
-        expected += p_flow / 6.0 * law.probabilities[m] * std::max(0.0, law.values[m] - vacant - data.freed.mean(0, k));
+        expected += price(k, 6) * law.probabilities[m] * std::max(0.0, law.values[m] - vacant - data.freed.mean(0, k));
       }
     }
     EXPECT_NEAR(cost_of("shortage", flow(data)), expected, 1e-6) << vacant << " vacant";
@@ -187,6 +192,7 @@ double least_cost(const PlanningData& data, const std::vector<Car>& cars,
 TEST(Flow, AgreesWithBruteForceOverWholeCars) {
   BalancingParameters parameters;
   parameters.flow_sends = 2;
+  parameters.flow_patience = 10.0;  // passengers are whole at the ends of slots
   const std::vector<Car> cars{{0, -1}, {0, -1}, {1, -1}, {1, 0}, {2, 0}};
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     PlanningData data = empty_city(3);
@@ -200,21 +206,20 @@ TEST(Flow, AgreesWithBruteForceOverWholeCars) {
     data.freed.variance = Eigen::MatrixXd::Zero(3, 3);
     data.demand.mean = 3.0 * (random.demand.mean / 8.0).array().floor();  // whole passengers a slot
     const CumulativeDemand demand(data);
-    const double price = parameters.p_flow / 3.0;
     const auto sure = [&](int i, int k, double C) {
-      return price * std::max(0.0, demand.within(10.0 * (k + 1), i) - C);
+      return price(k, 3) * std::max(0.0, demand.within(10.0 * (k + 1) - parameters.flow_patience, i) - C);
     };
     const auto result = flow(data, parameters, Uncertainty::mean);
     EXPECT_NEAR(cost_of("km", result) + cost_of("shortage", result), least_cost(data, cars, sure), 1e-5) << seed;
 
     const auto expected = [&](int i, int k, double C) {
-      const double mean = demand.within(10.0 * (k + 1), i);
+      const double mean = demand.within(10.0 * (k + 1) - parameters.flow_patience, i);
       const auto law = negative_binomial(mean, data.turnover.demand.at(0, mean), 1.0 / 24.0);
       double missing = 0.0;
       for (std::size_t m = 0; m < law.values.size(); ++m) {
         missing += law.probabilities[m] * std::max(0.0, law.values[m] - C);
       }
-      return price * missing;
+      return price(k, 3) * missing;
     };
     const auto random_demand = flow(data, parameters);
     const double whole = least_cost(data, cars, expected);

@@ -58,7 +58,6 @@ TEST(TopUp, HasRoomWherePointsStayFree) {
 TEST(TopUp, IsForCarsToSpare) {
   BalancingParameters parameters;
   parameters.eta = 0.0;
-  parameters.p_flow = parameters.p_shortage;
   for (const auto& controller : controller_names()) {
     const double expected = controller == "none" ? 0.0 : 2.0;
     EXPECT_NEAR(topped_up(controller, ten_vacant_cars(2.0), parameters), expected, 1e-6) << controller;

@@ -66,6 +66,7 @@ std::vector<Datum> all_data() {
       {"p_surplus", [](auto&, auto& p) -> double& { return p.p_surplus; }},
       {"p_ratio", [](auto&, auto& p) -> double& { return p.p_ratio; }},
       {"p_flow", [](auto&, auto& p) -> double& { return p.p_flow; }},
+      {"flow_end", [](auto&, auto& p) -> double& { return p.flow_end; }},
   };
 }
 

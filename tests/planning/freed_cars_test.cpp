@@ -35,7 +35,7 @@ std::vector<Report> no_reports() {
 
 TEST(FreedCars, HasAsManySlotsAsAreLeft) {
   const DayClock clock;
-  EXPECT_EQ(slots_at(clock, 0, {}), 6);
+  EXPECT_EQ(slots_at(clock, 0, {}), 9);
   EXPECT_EQ(slots_at(clock, clock.minutes() - 60, {}), 6);
   EXPECT_EQ(slots_at(clock, clock.minutes() - 50, {}), 5);
   EXPECT_EQ(slots_at(clock, clock.minutes() - 5, {}), 1);

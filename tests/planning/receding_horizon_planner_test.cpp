@@ -39,7 +39,7 @@ TEST(RecedingHorizonPlanner, SeesSlotBySlotWhatBecomesVacant) {
   auto reports = quiet_reports(0, 5);
   reports[2].bound = {{2, 15, Errand::rebalance, 2}};
   planner.plan(at(0), reports);
-  ASSERT_EQ(spy.seen->freed.mean.cols(), 6);
+  ASSERT_EQ(spy.seen->freed.mean.cols(), 9);
   // Of 4 passengers a step in each region, a quarter of region 1's get out after 12 minutes, all of region 2's after 4.
   const double getting_out = 0.95 * 0.9 * (4.0 / 30.0) * (0.25 * 8.0 + 16.0);
   EXPECT_NEAR(spy.seen->freed.mean(2, 1), 2.0 + getting_out, 1e-9);

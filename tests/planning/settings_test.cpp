@@ -37,7 +37,7 @@ TEST(Planning, GivesItselfBackAsYaml) {
   settings.model = "/a \"b\"/model.json";
   settings.innovation_test = true;
   settings.balancing = {0.11, 1.0 / 3.0,      2.0,  0.9, 8.0, 7.0, 6.0,  5.0, 11.0, 0.4, 9.0, 3.0, 4, 5,
-                        2.5,  Supply::points, 50.0, 15,  4,   2,   21.0, 9,   0.8,  1.5};
+                        2.5,  Supply::points, 50.0, 15,  4,   2,   21.0, 9,   0.6,  7.0, 0.8, 1.5};
   const std::string text = planning_yaml(settings);
   const PlanningSettings back = settings_of(text);
   EXPECT_EQ(back.model, settings.model);
