@@ -19,6 +19,7 @@ class HeldPorts {
     char byte = 0;
     if (id_ == 0) {
       end_.close_write_end();
+      close_others();
       for (int port = first; port < first + count; ++port) {
         take(port);
       }
@@ -35,6 +36,15 @@ class HeldPorts {
   HeldPorts& operator=(const HeldPorts&) = delete;
 
  private:
+  /// Who reads a pipe to its end would wait for this process, too, if it had the other end.
+  void close_others() const {
+    for (int file = STDERR_FILENO + 1; file < sysconf(_SC_OPEN_MAX) && file < most_files; ++file) {
+      if (file != ready_.write_end() && file != end_.read_end()) {
+        close(file);
+      }
+    }
+  }
+
   static void take(int port) {
     sockaddr_in address{};
     address.sin_family = AF_INET;
@@ -42,6 +52,8 @@ class HeldPorts {
     address.sin_port = htons(static_cast<std::uint16_t>(port));
     bind(socket(AF_INET, SOCK_DGRAM, 0), reinterpret_cast<const sockaddr*>(&address), sizeof address);
   }
+
+  static constexpr int most_files = 4096;  ///< that a test has open
 
   Pipe ready_;
   Pipe end_;  ///< that of the other process
