@@ -24,7 +24,6 @@
 //   min  sum w_ij x_ij(m)  +  sum_k p_k E[(N_i(k) - C_i(k))_+]                  terms "km" and "shortage"
 //        p_k = p_f (1 - end) / K,   to which the last slot adds  p_f end
 //
-//
 //   out_i(m) = sum_j x_ij(m);   in_i(k) = sum of those x_ji(m) for which k is the first slot with
 //   m delta + t_ji <= (k+1) delta.  Cars that top up (top_up.hpp) set off in slot 0 too, and are back after a mean
 //   session.  Arcs (arcs.hpp) are those within flow_m1 and flow_neighbours, and only where cars

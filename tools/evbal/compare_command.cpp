@@ -63,8 +63,8 @@ std::string table_of(const std::vector<Compared>& rows, const Question& question
   return aligned(table, 4);
 }
 
-std::string per_cent(double share, int digits = 1) {
-  return fixed(100.0 * share, digits, true) + " %";
+std::string per_cent(double share) {
+  return fixed(100.0 * share, 1, true) + " %";
 }
 
 std::string fronts_table(const std::vector<ComparedFronts>& rows, const FrontQuestion& question) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <map>
 #include <set>
 #include <tuple>
@@ -56,10 +57,11 @@ using Points = std::map<Settings, std::vector<FrontPoint>>;  ///< several of a s
 using Seeds = std::map<std::uint64_t, Points>;
 using Dates = std::map<std::string, Seeds>;
 
-std::vector<std::uint64_t> seeds_of_all(const Seeds& one, const Seeds& other, const Seeds& third) {
+/// The seeds that all of them have.
+std::vector<std::uint64_t> shared_seeds(const Seeds& first, std::initializer_list<const Seeds*> others) {
   std::vector<std::uint64_t> seeds;
-  for (const auto& [seed, points] : one) {
-    if (other.contains(seed) && third.contains(seed)) {
+  for (const auto& [seed, points] : first) {
+    if (std::ranges::all_of(others, [&, seed = seed](const Seeds* other) { return other->contains(seed); })) {
       seeds.push_back(seed);
     }
   }
@@ -96,7 +98,7 @@ struct Way {
 /// Adds a day's way, with the seeds that have a bound, if that covers the gap. To the right of its last corner a bound
 /// stays as it is.
 void add_way(const Seeds& variant, const Seeds& reference, const Seeds& bounds, std::optional<Way>& way) {
-  const auto seeds = seeds_of_all(variant, reference, bounds);
+  const auto seeds = shared_seeds(variant, {&reference, &bounds});
   const auto gap = seeds.empty() ? std::nullopt : front_gap(summed(variant, seeds), summed(reference, seeds));
   if (!gap) {
     return;
@@ -124,7 +126,7 @@ ComparedFronts compare_variant(ComparedFronts row, const Dates& variant, const D
   for (const auto& [date, played] : variant) {
     const auto beside = reference.find(date);
     const auto seeds =
-        beside == reference.end() ? std::vector<std::uint64_t>() : seeds_of_all(played, played, beside->second);
+        beside == reference.end() ? std::vector<std::uint64_t>() : shared_seeds(played, {&beside->second});
     if (seeds.empty()) {
       continue;
     }
