@@ -7,9 +7,12 @@
 #include "common/error.hpp"
 
 #include <algorithm>
+#include <condition_variable>
 #include <cstring>
+#include <mutex>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace evbal {
 namespace {
@@ -21,8 +24,12 @@ constexpr std::uint32_t packet_bytes = 1400;  // what fits in one packet: of a l
 constexpr std::uint32_t heartbeat_ns = 50'000'000;
 constexpr std::uint32_t heartbeat_ns_apart = 10'000'000;
 constexpr std::uint32_t answer_ns_apart = 1'000'000;  // to who says that something is missing, or by whom it is missed
-constexpr int kept_samples = 16;                      // of reports and departures, for readers that are a little behind
-constexpr int unread_samples = 1 << 14;               // that a reader of many writers holds at most
+constexpr std::uint32_t first_announcements = 4;
+constexpr std::uint32_t ns_a_ms = 1'000'000;
+constexpr int announcements_ms = 250;
+constexpr int announcements_ms_a_head = 3;
+constexpr int kept_samples = 16;         // of reports and departures, for readers that are a little behind
+constexpr int unread_samples = 1 << 14;  // that a reader of many writers holds at most
 
 /// The number of the participant that wrote a sample. Fast DDS keeps it in bytes 8 and 9 of a GUID's prefix; in the two
 /// that follow, version 3 counts the participants of that number that the process has had before.
@@ -72,19 +79,38 @@ void use_own_host_only(dds::DomainParticipantQos& qos, const BusAddress& address
   qos.wire_protocol().default_unicast_locator_list.push_back(own);
 }
 
-void find_each_other(dds::DomainParticipantQos& qos, const BusAddress& address) {
-  const bool agent = address.participant >= BusAddress::first_agent;
-  const int peers = agent ? BusAddress::first_agent : address.participants;
-  auto& builtin = qos.wire_protocol().builtin;
-  for (int peer = 0; peer < peers; ++peer) {
-    if (peer != address.participant) {
-      builtin.initialPeersList.push_back(locator_of(address, peer));
+/// Whom a participant looks for; these answer at once. The conductor is on the bus before the others and is looked for
+/// by all of them. A coordinator that returns finds its agents there, who would meet it at their next announcement
+/// only.
+std::vector<int> peers_of(const BusAddress& address) {
+  switch (address.participant) {
+    case BusAddress::conductor:
+      return {BusAddress::coordinator, BusAddress::injector};
+    case BusAddress::injector:
+      return {BusAddress::conductor};
+    case BusAddress::coordinator: {
+      std::vector<int> peers = {BusAddress::conductor};
+      for (int agent = BusAddress::first_agent; address.returns && agent < address.participants; ++agent) {
+        peers.push_back(agent);
+      }
+      return peers;
     }
+    default:
+      return {BusAddress::conductor, BusAddress::coordinator};
   }
-  // Who is started again meets the others at their next announcement, should it have missed their first answer.
-  builtin.discovery_config.leaseDuration_announcementperiod = Duration_t(0, 500'000'000);
-  builtin.discovery_config.initial_announcements.count = 100;
-  builtin.discovery_config.initial_announcements.period = Duration_t(0, 100'000'000);
+}
+
+void find_each_other(dds::DomainParticipantQos& qos, const BusAddress& address) {
+  auto& builtin = qos.wire_protocol().builtin;
+  for (const int peer : peers_of(address)) {
+    builtin.initialPeersList.push_back(locator_of(address, peer));
+  }
+  builtin.discovery_config.initial_announcements.count = first_announcements;
+  builtin.discovery_config.initial_announcements.period = Duration_t(0, announcements_ms * ns_a_ms);
+  // Later ones are for who was started again and has missed the first answer; hundreds leave each other time.
+  const int later_ms = std::max(announcements_ms, address.participants * announcements_ms_a_head);
+  builtin.discovery_config.leaseDuration_announcementperiod = Duration_t(later_ms / 1000, later_ms % 1000 * ns_a_ms);
+  builtin.use_WriterLivelinessProtocol = false;  // who has died is known from the operating system
 }
 
 /// Fast DDS takes another port in silence, where nobody looks for this participant, if it cannot have its own.
@@ -118,7 +144,38 @@ std::string address_of_host(int host) {
   return "10.77." + std::to_string(host / in_a_row) + "." + std::to_string(host % in_a_row + 1);
 }
 
+/// Counts how often an end of a topic has found, or lost, another.
+class Matches : public dds::DomainParticipantListener {
+ public:
+  void on_publication_matched(dds::DataWriter* /*writer*/, const dds::PublicationMatchedStatus& /*status*/) override {
+    count();
+  }
+  void on_subscription_matched(dds::DataReader* /*reader*/, const dds::SubscriptionMatchedStatus& /*status*/) override {
+    count();
+  }
+
+  /// Until there is one since the last call.
+  void wait(std::chrono::milliseconds at_most) {
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, at_most, [&] { return count_ != seen_; });
+    seen_ = count_;
+  }
+
+ private:
+  void count() {
+    const std::lock_guard lock(mutex_);
+    ++count_;
+    changed_.notify_one();
+  }
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::uint64_t count_ = 0;
+  std::uint64_t seen_ = 0;
+};
+
 struct Participant::Entities {
+  Matches matches;
   dds::DomainParticipant* participant = nullptr;
   dds::Publisher* publisher = nullptr;
   dds::Subscriber* subscriber = nullptr;
@@ -158,9 +215,10 @@ Participant::Participant(const BusAddress& address, const std::string& name)
   qos.wire_protocol().participant_id = address.participant;
   use_own_host_only(qos, address);
   find_each_other(qos, address);
-  entities_->participant =
-      made(factory->create_participant(static_cast<std::uint32_t>(address.domain), qos),
-           "participant " + std::to_string(address.participant) + " in domain " + std::to_string(address.domain));
+  entities_->participant = made(
+      factory->create_participant(static_cast<std::uint32_t>(address.domain), qos, &entities_->matches,
+                                  dds::StatusMask::publication_matched() << dds::StatusMask::subscription_matched()),
+      "participant " + std::to_string(address.participant) + " in domain " + std::to_string(address.domain));
   check_ports(address);
   entities_->publisher = made(entities_->participant->create_publisher(dds::PUBLISHER_QOS_DEFAULT), "a publisher");
   entities_->subscriber = made(entities_->participant->create_subscriber(dds::SUBSCRIBER_QOS_DEFAULT), "a subscriber");
@@ -168,12 +226,18 @@ Participant::Participant(const BusAddress& address, const std::string& name)
 
 Participant::~Participant() = default;
 
+void Participant::wait_for_match(std::chrono::milliseconds at_most) const {
+  entities_->matches.wait(at_most);
+}
+
 template <class Message>
 Writer<Message>::Writer(Participant& participant) : run_(participant.address().run) {
   auto& entities = *participant.entities_;
   dds::DataWriterQos qos = entities.publisher->get_default_datawriter_qos();
   set_delivery(qos, Topic<Message>::latest, kept_samples);
-  qos.publish_mode().kind = dds::ASYNCHRONOUS_PUBLISH_MODE;
+  qos.publish_mode().kind = participant.address().participant >= BusAddress::first_agent
+                                ? dds::SYNCHRONOUS_PUBLISH_MODE  // a sample or two to one or two readers
+                                : dds::ASYNCHRONOUS_PUBLISH_MODE;
   set_heartbeat_period(qos, Duration_t(0, participant.address().apart ? heartbeat_ns_apart : heartbeat_ns));
   if (participant.address().apart) {
     set_nack_response_delay(qos, Duration_t(0, answer_ns_apart));

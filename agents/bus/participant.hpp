@@ -30,6 +30,7 @@ struct BusAddress {
   int domain = 0;
   int participant = 0;               ///< number of this process in the domain
   int participants = 0;              ///< of the whole run
+  bool returns = false;              ///< the process has died and was started again; the others are there
   bool apart = false;                ///< each agent on a host of its own, behind a network that may lose packets
   std::filesystem::path profiles{};  ///< XML file of Fast DDS whose defaults hold where evbal sets nothing; or empty
 };
@@ -39,7 +40,8 @@ std::string address_of_host(int host);
 
 /// One process on the bus: UDPv4, on loopback unless agents are apart, no shared memory, and nothing of the
 /// surroundings (surroundings.hpp) but the profiles that the address names. Agents look for the conductor and the
-/// coordinator alone, so that discovery stays linear in their number. All calls from one thread.
+/// coordinator alone and nobody looks for agents, so that discovery stays linear in their number. All calls from one
+/// thread.
 class Participant {
  public:
   /// Throws Error{run_failed} if the middleware refuses or cannot have the address's ports, Error{bad_input} if it
@@ -48,6 +50,9 @@ class Participant {
   ~Participant();
   Participant(const Participant&) = delete;
   Participant& operator=(const Participant&) = delete;
+
+  /// Sleeps until one of its writers or readers has found, or lost, another one since the last call, or the time is up.
+  void wait_for_match(std::chrono::milliseconds at_most) const;
 
   /// Where it stands on the bus.
   const BusAddress& address() const { return address_; }

@@ -98,9 +98,6 @@ void Journal::append(const std::string& entry) {
     }
     rest.remove_prefix(static_cast<std::size_t>(written));
   }
-  if (fdatasync(file_.number()) != 0) {
-    throw failure(path_, "cannot be made durable");
-  }
 }
 
 }  // namespace evbal

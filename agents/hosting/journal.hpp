@@ -9,7 +9,8 @@
 
 namespace evbal {
 
-/// A file of entries, each durable once it is appended: what a process must still know after it was killed.
+/// A file of entries: what a process must still know after it was killed. The operating system keeps what was
+/// appended, however the process ends; nothing is kept for a machine that loses power, after which no run goes on.
 class Journal {
  public:
   /// Opens the file, or makes it. An entry that was being written when its process died is cut off. Throws
@@ -19,7 +20,7 @@ class Journal {
   /// The entries that were there when the file was opened.
   const std::vector<std::string>& entries() const { return entries_; }
 
-  /// On return the entry is on the disk. Throws Error{run_failed} if it cannot be written.
+  /// On return the operating system has the entry. Throws Error{run_failed} if it cannot be written.
   void append(const std::string& entry);
 
  private:

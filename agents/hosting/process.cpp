@@ -10,6 +10,7 @@
 #include <array>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <mutex>
 #include <thread>
@@ -85,6 +86,7 @@ int run_process(int argc, char** argv, const std::string& description,
   try {
     app.parse(argc, argv);
     end_with_conductor();
+    options.address.returns = std::filesystem::exists(options.journal);
     Participant participant(options.address, options.name);
     body(options, participant);
     return static_cast<int>(ExitStatus::ok);

@@ -12,7 +12,6 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <thread>
 
 namespace evbal {
 namespace {
@@ -20,7 +19,6 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::chrono::milliseconds nap = 1s;  // between looks at the clock while nothing comes
-constexpr auto glance = 50ms;                  // between looks at who is connected: hundreds of processes look at once
 
 bool attended(const Tick& tick) {
   return !tick.unattended;
@@ -107,7 +105,7 @@ template <class Connected>
 void say_hello(Participant& participant, const ProcessOptions& options, Connected connected) {
   Writer<Hello> hello(participant);
   const auto all_connected = [&] { return hello.readers() > 0 && connected(); };
-  if (!comes(options.patience, all_connected, [] { std::this_thread::sleep_for(glance); })) {
+  if (!comes(options.patience, all_connected, [&] { participant.wait_for_match(nap); })) {
     throw none("conductor on the bus", options.patience);
   }
   hello.write({.name = options.name, .process_id = getpid()});

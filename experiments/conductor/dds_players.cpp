@@ -4,6 +4,7 @@
 #include "agents/hosting/process.hpp"
 #include "common/error.hpp"
 #include "common/interrupt.hpp"
+#include "experiments/conductor/collected.hpp"
 #include "experiments/conductor/machine_needs.hpp"
 
 #include <unistd.h>
@@ -45,52 +46,6 @@ std::string listed(const std::set<std::string>& names) {
   }
   return text;
 }
-
-/// As the run's processes are called.
-std::string name_of(int participant) {
-  return participant == BusAddress::coordinator ? "coordinator"
-         : participant == BusAddress::injector  ? "faults"
-                                                : "agent-" + std::to_string(participant - BusAddress::first_agent);
-}
-
-/// The messages of one tick as they come in, one for each region that is due.
-template <class Message>
-class Collected {
- public:
-  Collected(int tick, const std::vector<int>& due) : tick_(tick), missing_(due.begin(), due.end()) {}
-
-  /// Messages of other ticks are left out: who was killed says again what it last said. Throws Error{run_failed} if one
-  /// is of no tick up to `newest`, or of a region that `is_of` does not give to whom it is from.
-  void add(std::vector<Heard<std::vector<Message>>> batches, int newest,
-           const std::function<bool(int region, int from)>& is_of) {
-    for (auto& [from, batch] : batches) {
-      for (auto& message : batch) {
-        if (message.tick < 0 || message.tick > newest || !is_of(message.region, from)) {
-          throw run_failed(name_of(from) + " speaks of tick " + std::to_string(message.tick) + ", region " +
-                           std::to_string(message.region) + " in tick " + std::to_string(tick_));
-        }
-        if (message.tick == tick_ && missing_.erase(message.region) > 0) {
-          found_.emplace(message.region, std::move(message));
-        }
-      }
-    }
-  }
-
-  const std::set<int>& missing() const { return missing_; }
-
-  std::vector<Message> by_region() {
-    std::vector<Message> messages;
-    for (auto& [region, message] : found_) {
-      messages.push_back(std::move(message));
-    }
-    return messages;
-  }
-
- private:
-  int tick_;
-  std::set<int> missing_;
-  std::map<int, Message> found_;
-};
 
 }  // namespace
 
@@ -161,9 +116,9 @@ bool DdsPlayers::begins_in_domain() {
                            .profiles = run_.profiles};
   try {
     supervisor_.emplace(run_.folder / "processes");
-    start_processes(address);
     participant_.emplace(address, "conductor");
     topics_ = std::make_unique<Topics>(*participant_);
+    start_processes(address);
     await_hellos();
     return true;
   } catch (const Error&) {
@@ -217,22 +172,31 @@ std::string DdsPlayers::host_of(int region) const {
 }
 
 template <class Message>
-void DdsPlayers::await(const std::string& what, const Reader<Message>& reader,
+void DdsPlayers::await(const std::string& what, const Reader<Message>& reader, const std::function<bool()>& come,
                        const std::function<std::set<std::string>()>& missing) {
   const auto deadline = Clock::now() + run_.patience;
-  for (auto names = missing(); !names.empty(); names = missing()) {
-    check_interrupt();
-    look_after_processes();
-    if (Clock::now() > deadline) {
+  while (!come()) {
+    const auto now = Clock::now();
+    if (now > deadline) {
+      const auto names = missing();
       throw run_failed("no " + what + " from " + listed(names) + " within " + std::to_string(run_.patience.count()) +
                        " s" + supervisor_->last_words(*names.begin()));
+    }
+    if (now - looked_ >= glance) {
+      check_interrupt();
+      look_after_processes();
+      looked_ = now;
     }
     reader.wait(glance);
   }
 }
 
 void DdsPlayers::await_hellos() {
-  await("hello", topics_->hello, [&] { return absent_; });
+  const auto come = [&] {
+    take_hellos();
+    return absent_.empty();
+  };
+  await("hello", topics_->hello, come, [&] { return absent_; });
 }
 
 void DdsPlayers::look_after_processes() {
@@ -241,6 +205,10 @@ void DdsPlayers::look_after_processes() {
     absent_.insert(death.process);
     deaths_[death.process] = Clock::now();
   }
+  take_hellos();
+}
+
+void DdsPlayers::take_hellos() {
   for (const auto& [from, hello] : topics_->hello.take()) {
     if (hello.name != name_of(from)) {
       throw run_failed(name_of(from) + " calls itself `" + hello.name + "`");
@@ -282,14 +250,16 @@ void DdsPlayers::bring_back(const std::string& name, Absence how) {
 
 Faults DdsPlayers::faults(int tick) {
   std::optional<Faults> found;
-  await("faults of tick " + std::to_string(tick), topics_->faults, [&]() -> std::set<std::string> {
+  const auto come = [&] {
     for (auto& [from, faults] : topics_->faults.take()) {
       if (faults.tick == tick) {
         found = std::move(faults);
       }
     }
-    return found ? std::set<std::string>{} : std::set<std::string>{"faults"};
-  });
+    return found.has_value();
+  };
+  await("faults of tick " + std::to_string(tick), topics_->faults, come,
+        [] { return std::set<std::string>{"faults"}; });
   return std::move(*found);
 }
 
@@ -310,25 +280,28 @@ Exchange DdsPlayers::play(const Tick& tick) {
   Exchange exchange;
   if (tick.plan_due && !tick.unattended) {
     Collected<Report> reports(tick.tick, tick.due);
-    await("report" + of_tick, topics_->reports, [&] {
+    const auto all_reported = [&] {
       reports.add(topics_->reports.take(), newest_, is_of);
-      return hosts(reports.missing());
-    });
+      return reports.missing().empty();
+    };
+    await("report" + of_tick, topics_->reports, all_reported, [&] { return hosts(reports.missing()); });
     exchange.reports = reports.by_region();
-    await("plan" + of_tick, topics_->plan, [&]() -> std::set<std::string> {
+    const auto planned = [&] {
       for (auto& [from, plan] : topics_->plan.take()) {
         if (plan.tick == tick.tick) {
           exchange.plan = std::move(plan);
         }
       }
-      return exchange.plan ? std::set<std::string>{} : std::set<std::string>{"coordinator"};
-    });
+      return exchange.plan.has_value();
+    };
+    await("plan" + of_tick, topics_->plan, planned, [] { return std::set<std::string>{"coordinator"}; });
   }
   Collected<Departures> departures(tick.tick, tick.due);
-  await("departures" + of_tick, topics_->departures, [&] {
+  const auto all_departed = [&] {
     departures.add(topics_->departures.take(), newest_, is_of);
-    return hosts(departures.missing());
-  });
+    return departures.missing().empty();
+  };
+  await("departures" + of_tick, topics_->departures, all_departed, [&] { return hosts(departures.missing()); });
   exchange.departures = departures.by_region();
   supervisor_->progress();
   for (const auto& [what, times] : topics_->refused()) {

@@ -83,10 +83,11 @@ class DdsPlayers : public Players {
 
   /// Starts processes that died again, and takes the hellos of those that are back.
   void look_after_processes();
+  void take_hellos();
 
-  /// Waits until `missing`, which takes from `reader`, gives no name any more.
+  /// Waits until `come`, which takes from `reader`, is true; else names who is `missing`.
   template <class Message>
-  void await(const std::string& what, const Reader<Message>& reader,
+  void await(const std::string& what, const Reader<Message>& reader, const std::function<bool()>& come,
              const std::function<std::set<std::string>()>& missing);
 
   DdsRun run_;
@@ -99,6 +100,7 @@ class DdsPlayers : public Players {
       supervisor_;                ///< ends the processes before we leave the bus, which takes long among hundreds
   std::set<std::string> absent_;  ///< from whom no hello has come since the start, or since its death
   std::map<std::string, std::chrono::steady_clock::time_point> deaths_;  ///< when one of the absent died
+  std::chrono::steady_clock::time_point looked_;                         ///< when the processes were looked after
   std::vector<Incident> incidents_;
   Absences away_;
   int newest_ = -1;  ///< tick that was announced
