@@ -11,19 +11,28 @@
 
 namespace evbal {
 
-// `flow` starts afresh: in its slots, which move on with every plan, the last basis costs more than it saves.
+namespace {
+
+// What the next plan starts from. Of `flow` the curves alone: in its slots, which move on with every plan, the last
+// basis costs more than it saves.
+Start carried_on(const Start& last, const FormulationOptions& options) {
+  return options.shortage == Shortage::flow ? Start{.basic = {}, .at_upper = {}, .binding = {}, .curves = last.curves}
+                                            : last;
+}
+
+}  // namespace
+
 PlanFunction optimum(const FormulationOptions& options) {
   return [options](const BalancingParameters& parameters, const PlanningData& data, const EngineSettings& engine) {
     const Formulation formulation = formulate(parameters, data, options);
-    const bool carries_on = options.shortage != Shortage::flow;
-    const Solution solution = solve(formulation.program, engine, carries_on ? data.start : Start{});
+    const Solution solution = solve(formulation.program, engine, carried_on(data.start, options));
     if (!solution.certificate.optimal()) {
       return BalancingResult{.dispatch = {}, .certificate = solution.certificate, .cost = {}};
     }
     return BalancingResult{.dispatch = dispatch_at(formulation, solution.x),
                            .certificate = solution.certificate,
                            .cost = formulation.program.cost_by_term(solution.x),
-                           .start = carries_on ? solution.start : Start{}};
+                           .start = carried_on(solution.start, options)};
   };
 }
 

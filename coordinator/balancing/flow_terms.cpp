@@ -106,7 +106,7 @@ class FlowFormulator {
 
   // N_i(k)
   DiscreteDistribution passengers(int k, int i) const {
-    constexpr double least = 1.0 / 24.0;  // of the probability, for each of its values: few parts of C
+    constexpr double least = 1.0 / 16.0;  // of the probability, for each of its values: few parts of C
     const double mean = demand_.within(std::max(0.0, (k + 1) * p_.flow_slot - p_.flow_patience), i);
     const auto step = static_cast<Eigen::Index>(k * p_.flow_slot / data_.step_minutes);
     const double variance = data_.turnover.demand.at(step, mean) + data_.freed.variance(i, k);

@@ -40,12 +40,12 @@ Solution solve_with_cuts(const ConvexProgram& program, const EngineSettings& set
     }
     best.certificate = certify(program, best.x, lower_bound);
     best.certificate.iterations = iteration;
-    best.start = relaxation.start();
     if (best.certificate.gap <= optimality_tolerance) {
       break;
     }
     relaxation.refine(x);
   }
+  best.start = relaxation.start();
   return best;
 }
 

@@ -30,8 +30,7 @@ Eigen::VectorXd affordable_gradient(const ConvexProgram& program, const NormTerm
 
 // Columns: the program's, a height for each norm, then each curve's parts. Rows: the program's, one for each curve's
 // argument, then the norms' further tangents. So all but the parts keep their place from solve to solve.
-LinearRelaxation::LinearRelaxation(const ConvexProgram& program, Start start)
-    : program_(program), start_(std::move(start)) {
+LinearRelaxation::LinearRelaxation(const ConvexProgram& program, const Start& start) : program_(program) {
   Eigen::VectorXd x = Eigen::VectorXd::Zero(program.variables());
   curve_above_.assign(program.cost().size(), -1);
   has_curve_.assign(program.cost().size(), false);
@@ -45,7 +44,8 @@ LinearRelaxation::LinearRelaxation(const ConvexProgram& program, Start start)
     const double upper = program.upper()[static_cast<std::size_t>(curve.of)];
     auto& tangents = curves_.emplace_back(Curve{&curve, Tangents(curve.function, lower, upper)}).tangents;
     double at = std::min(lower + 1.0, upper);
-    if (const CurveStart* known = start_of(curve)) {
+    if (const CurveStart* known = start.of_curve(column_keys_[static_cast<std::size_t>(curve.above)])) {
+      curves_.back().start = *known;
       at = std::clamp(known->at, lower, upper);
       tangents.add_around(known->slope);
       for (const double touch : known->basic) {
@@ -57,6 +57,7 @@ LinearRelaxation::LinearRelaxation(const ConvexProgram& program, Start start)
   for (const auto& norm : program.norms()) {
     first_gradients_.push_back(affordable_gradient(program, norm, x));
   }
+  place(start);
 }
 
 LinearProgram LinearRelaxation::linear_program() {
@@ -129,7 +130,7 @@ LinearRelaxation::Outcome LinearRelaxation::solve() {
   if (const std::string why_not = lp.unfit(); !why_not.empty()) {
     return {.why_not = why_not, .lower_bound = -infinity, .x = {}};
   }
-  std::shared_ptr<ClpSimplex> clp = start_.empty() ? nullptr : solved_from_prices(lp);
+  std::shared_ptr<ClpSimplex> clp = columns_.empty() ? nullptr : solved_from_prices(lp);
   if (clp == nullptr) {
     clp = lp.load();
     start_without_prices(*clp);
@@ -138,7 +139,7 @@ LinearRelaxation::Outcome LinearRelaxation::solve() {
   if (!clp->isProvenOptimal()) {
     return {.why_not = "Clp finds no optimum", .lower_bound = -infinity, .x = {}};
   }
-  start_ = end_of(*clp);
+  remember(*clp);
   return {.why_not = "", .lower_bound = lp.lower_bound(*clp), .x = point(*clp)};
 }
 
@@ -157,8 +158,8 @@ Eigen::VectorXd LinearRelaxation::point(const ClpSimplex& clp) const {
 
 void LinearRelaxation::refine(const Eigen::VectorXd& x) {
   for (auto& curve : curves_) {
-    if (const CurveStart* known = start_of(*curve.row)) {
-      curve.tangents.add_around(known->slope);
+    if (curve.start) {
+      curve.tangents.add_around(curve.start->slope);
     }
     curve.tangents.add(x(curve.row->of));
   }

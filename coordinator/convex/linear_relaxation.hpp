@@ -7,6 +7,7 @@
 #include "coordinator/convex/tangents.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,9 +27,9 @@ namespace evbal {
 class LinearRelaxation {
  public:
   /// Starts with tangents of each curve ever further apart from its lower end, where it bends most, and around where
-  /// `start` was, and with one of each norm. `program` must outlive this, and has no other bound on what stands above a
-  /// curve than the curve.
-  explicit LinearRelaxation(const ConvexProgram& program, Start start = {});
+  /// `start` was, and with one of each norm; from the basis of `start`, if it has one. `program` must outlive this, and
+  /// has no other bound on what stands above a curve than the curve.
+  explicit LinearRelaxation(const ConvexProgram& program, const Start& start = {});
 
   /// What a solve came to.
   struct Outcome {
@@ -42,8 +43,8 @@ class LinearRelaxation {
   /// feasible when tangents are added. Starts afresh where that does not soon lead to an optimum.
   Outcome solve();
 
-  /// Where the last solve ended.
-  const Start& start() const { return start_; }
+  /// Where the last solve ended; before the first, what is known of the start that was given.
+  Start start() const;
 
   /// Makes the tangents of each curve denser around the slope that the prices of the last optimum ask of it, and adds
   /// those of all curves and norms at `x`.
@@ -55,7 +56,11 @@ class LinearRelaxation {
     Tangents tangents;
     std::vector<Tangents::Piece> pieces = {};  // as they were solved last
     int first_part = 0;                        // column
+    std::optional<CurveStart> start = {};      // where the last solve ended
   };
+
+  /// Where a column stands in a basis. Rows are basic, where they do not bind, or at one of their sides.
+  enum class Place : unsigned char { lower, upper, basic };
 
   struct NormRow {
     std::size_t norm = 0;
@@ -70,11 +75,11 @@ class LinearRelaxation {
   const Expression::Term* held_back(const ClpSimplex& clp, int row, const std::vector<double>& reduced) const;
   std::shared_ptr<ClpSimplex> solved_from_prices(const LinearProgram& lp) const;
   void start_from_prices(ClpSimplex& clp) const;
-  void start_from_prices(ClpSimplex& clp, const Curve& curve, const CurveStart& known) const;
-  Start end_of(const ClpSimplex& clp) const;
+  void start_from_prices(ClpSimplex& clp, const Curve& curve) const;
+  void remember(const ClpSimplex& clp);
   CurveStart end_of(const ClpSimplex& clp, int curve) const;
-  const CurveStart* start_of(const CurveRow& curve) const;
   void name_columns_and_rows();
+  void place(const Start& start);
   std::uint64_t key_of_row(int row) const;
   Eigen::VectorXd point(const ClpSimplex& clp) const;
   int first_part() const { return program_.variables() + static_cast<int>(first_gradients_.size()); }
@@ -87,7 +92,8 @@ class LinearRelaxation {
   std::vector<NormRow> norm_rows_;
   std::vector<std::uint64_t> column_keys_;  // of program and norms
   std::vector<std::uint64_t> row_keys_;     // of program and curves
-  Start start_;
+  std::vector<Place> columns_;              // where the last solve ended, of program and norms; empty: not known
+  std::vector<bool> binding_;               // rows that hold as equations there
 };
 
 }  // namespace evbal

@@ -136,63 +136,95 @@ std::shared_ptr<ClpSimplex> LinearRelaxation::solved_from_prices(const LinearPro
   return clp->isProvenOptimal() ? clp : nullptr;
 }
 
-// Columns that the start does not know stay at their lower bounds, rows that it does not know do not bind.
 void LinearRelaxation::start_from_prices(ClpSimplex& clp) const {
   clp.createStatus();
-  for (int column = 0; column < std::ssize(column_keys_); ++column) {
-    const auto key = column_keys_[static_cast<std::size_t>(column)];
-    if (contains(start_.basic, key)) {
+  for (int column = 0; column < std::ssize(columns_); ++column) {
+    const Place place = columns_[static_cast<std::size_t>(column)];
+    if (place == Place::basic) {
       clp.setColumnStatus(column, ClpSimplex::basic);
-    } else if (clp.columnUpper()[column] < COIN_DBL_MAX && contains(start_.at_upper, key)) {
+    } else if (place == Place::upper && clp.columnUpper()[column] < COIN_DBL_MAX) {
       clp.setColumnStatus(column, ClpSimplex::atUpperBound);
     } else if (clp.columnLower()[column] == -COIN_DBL_MAX) {
       clp.setColumnStatus(column, ClpSimplex::isFree);
     }
   }
-  for (int row = 0; row < clp.numberRows(); ++row) {
-    if (contains(start_.binding, key_of_row(row))) {
+  for (int row = 0; row < std::ssize(binding_); ++row) {
+    if (binding_[static_cast<std::size_t>(row)]) {
       clp.setRowStatus(row, clp.rowUpper()[row] < COIN_DBL_MAX ? ClpSimplex::atUpperBound : ClpSimplex::atLowerBound);
     }
   }
   for (const auto& curve : curves_) {
-    if (const CurveStart* known = start_of(*curve.row)) {
-      start_from_prices(clp, curve, *known);
+    if (curve.start) {
+      start_from_prices(clp, curve);
     }
   }
 }
 
 // Pieces that fall faster than prices ask for are full.
-void LinearRelaxation::start_from_prices(ClpSimplex& clp, const Curve& curve, const CurveStart& known) const {
+void LinearRelaxation::start_from_prices(ClpSimplex& clp, const Curve& curve) const {
   for (std::size_t m = 0; m < curve.pieces.size(); ++m) {
     const auto& piece = curve.pieces[m];
     const bool is_last = m + 1 == curve.pieces.size();
-    const auto status = std::ranges::find(known.basic, piece.at) != known.basic.end() ? ClpSimplex::basic
-                        : piece.slope < known.slope && !is_last                       ? ClpSimplex::atUpperBound
-                                                                                      : ClpSimplex::atLowerBound;
+    const auto status = std::ranges::find(curve.start->basic, piece.at) != curve.start->basic.end() ? ClpSimplex::basic
+                        : piece.slope < curve.start->slope && !is_last ? ClpSimplex::atUpperBound
+                                                                       : ClpSimplex::atLowerBound;
     clp.setColumnStatus(curve.first_part + static_cast<int>(m), status);
   }
 }
 
-Start LinearRelaxation::end_of(const ClpSimplex& clp) const {
+// Columns that the start does not know stay at their lower bounds, rows that it does not know do not bind.
+void LinearRelaxation::place(const Start& start) {
+  if (!start.has_basis()) {
+    return;
+  }
+  for (const auto key : column_keys_) {
+    columns_.push_back(contains(start.basic, key)      ? Place::basic
+                       : contains(start.at_upper, key) ? Place::upper
+                                                       : Place::lower);
+  }
+  for (const auto key : row_keys_) {
+    binding_.push_back(contains(start.binding, key));
+  }
+}
+
+void LinearRelaxation::remember(const ClpSimplex& clp) {
+  columns_.clear();
+  for (int column = 0; column < std::ssize(column_keys_); ++column) {
+    const auto status = clp.getColumnStatus(column);
+    columns_.push_back(status == ClpSimplex::basic          ? Place::basic
+                       : status == ClpSimplex::atUpperBound ? Place::upper
+                                                            : Place::lower);
+  }
+  binding_.clear();
+  for (int row = 0; row < clp.numberRows(); ++row) {
+    binding_.push_back(clp.getRowStatus(row) != ClpSimplex::basic);
+  }
+  for (std::size_t n = 0; n < curves_.size(); ++n) {
+    curves_[n].start = end_of(clp, static_cast<int>(n));
+  }
+}
+
+Start LinearRelaxation::start() const {
   Start end;
-  for (std::size_t column = 0; column < column_keys_.size(); ++column) {
-    const auto status = clp.getColumnStatus(static_cast<int>(column));
-    if (status == ClpSimplex::basic) {
+  for (std::size_t column = 0; column < columns_.size(); ++column) {
+    if (columns_[column] == Place::basic) {
       end.basic.push_back(column_keys_[column]);
-    } else if (status == ClpSimplex::atUpperBound) {
+    } else if (columns_[column] == Place::upper) {
       end.at_upper.push_back(column_keys_[column]);
     }
   }
-  for (int row = 0; row < clp.numberRows(); ++row) {
-    if (clp.getRowStatus(row) != ClpSimplex::basic) {
-      end.binding.push_back(key_of_row(row));
+  for (std::size_t row = 0; row < binding_.size(); ++row) {
+    if (binding_[row]) {
+      end.binding.push_back(key_of_row(static_cast<int>(row)));
     }
   }
   for (auto* keys : {&end.basic, &end.at_upper, &end.binding}) {
     std::ranges::sort(*keys);
   }
-  for (std::size_t n = 0; n < curves_.size(); ++n) {
-    end.curves.push_back(end_of(clp, static_cast<int>(n)));
+  for (const auto& curve : curves_) {
+    if (curve.start) {
+      end.curves.push_back(*curve.start);
+    }
   }
   std::ranges::sort(end.curves, {}, &CurveStart::above);
   return end;
@@ -212,13 +244,6 @@ CurveStart LinearRelaxation::end_of(const ClpSimplex& clp, int n) const {
     }
   }
   return end;
-}
-
-// The start of a curve; none where nothing is known of it.
-const CurveStart* LinearRelaxation::start_of(const CurveRow& curve) const {
-  const auto key = column_keys_[static_cast<std::size_t>(curve.above)];
-  const auto known = std::ranges::lower_bound(start_.curves, key, {}, &CurveStart::above);
-  return known != start_.curves.end() && known->above == key ? &*known : nullptr;
 }
 
 void LinearRelaxation::name_columns_and_rows() {

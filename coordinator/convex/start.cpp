@@ -1,5 +1,7 @@
 #include "coordinator/convex/start.hpp"
 
+#include <algorithm>
+#include <functional>
 #include <string_view>
 
 namespace evbal {
@@ -23,6 +25,11 @@ std::uint64_t key_of(const Name& name) {
     }
   }
   return key;
+}
+
+const CurveStart* Start::of_curve(std::uint64_t above) const {
+  const auto known = std::ranges::lower_bound(curves, above, {}, &CurveStart::above);
+  return known != curves.end() && known->above == above ? &*known : nullptr;
 }
 
 }  // namespace evbal

@@ -28,7 +28,13 @@ struct Start {
   std::vector<CurveStart> curves;       ///< by `above`, ascending
 
   /// Whether nothing is known.
-  bool empty() const { return basic.empty() && at_upper.empty() && binding.empty() && curves.empty(); }
+  bool empty() const { return !has_basis() && curves.empty(); }
+
+  /// Whether more is known than the curves.
+  bool has_basis() const { return !basic.empty() || !at_upper.empty() || !binding.empty(); }
+
+  /// What is known of the curve below the variable of this key; null if nothing is.
+  const CurveStart* of_curve(std::uint64_t above) const;
 };
 
 }  // namespace evbal

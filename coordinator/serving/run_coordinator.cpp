@@ -6,6 +6,7 @@
 #include "agents/world/draws.hpp"
 #include "agents/world/world.hpp"
 #include "common/error.hpp"
+#include "common/heap.hpp"
 #include "coordinator/planning/receding_horizon_planner.hpp"
 #include "faults/schedule/schedule.hpp"
 
@@ -54,6 +55,7 @@ void plan(const std::vector<Controller>& own, const ProcessOptions& options, Par
 }  // namespace
 
 int run_coordinator(int argc, char** argv, const std::vector<Controller>& own) {
+  keep_heap_pages();
   return run_process(argc, argv, "Makes the plans of a run; started by evbal run",
                      [&](const ProcessOptions& options, Participant& participant) { plan(own, options, participant); });
 }

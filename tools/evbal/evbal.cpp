@@ -1,5 +1,6 @@
 #include "agents/world/world.hpp"
 #include "common/error.hpp"
+#include "common/heap.hpp"
 #include "common/pin.hpp"
 #include "common/plain_text.hpp"
 #include "common/version.hpp"
@@ -40,6 +41,7 @@ void check_words(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   evbal::pin_arithmetic(argv);
+  evbal::keep_heap_pages();
   evbal::share_pack_folders();
   CLI::App app("Multi-agent MPC testbed with fault injection for electric taxi fleets", "evbal");
   app.set_version_flag("--version", "evbal " + evbal::version());
