@@ -7,12 +7,13 @@
 #include "tools/samples/random_planning_data.hpp"
 #include "tools/verify/inner_problem.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -129,14 +130,13 @@ std::string processor() {
 }  // namespace
 }  // namespace evbal
 
-// evbal-bench [N...]: the table of docs/performance.md, for cities of N regions; without N, for all of its sizes.
+// evbal-bench: the table of docs/performance.md.
 int main(int argc, char** argv) {
   setenv("OPENBLAS_NUM_THREADS", "1", 1);
+  CLI::App app("Times one plan for cities of several sizes; the tables of docs/performance.md", "evbal-bench");
   std::vector<int> sizes = {5, 12, 54, 100, 247, 491};
-  if (argc > 1) {
-    sizes.clear();
-    std::transform(argv + 1, argv + argc, std::back_inserter(sizes), [](const char* size) { return std::atoi(size); });
-  }
+  app.add_option("N", sizes, "Numbers of regions")->check(CLI::Range(2, 1000))->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
   std::printf(R"(# Solver time and memory
 
 Made by `build/release/bin/evbal-bench > docs/performance.md` on %s, one thread at a time: one plan of the
