@@ -4,22 +4,22 @@
 #include "agents/hosting/roles.hpp"
 #include "agents/protocol/message_check.hpp"
 #include "agents/region/region_plant.hpp"
-#include "agents/world/world.hpp"
+#include "agents/region/region_world.hpp"
+
+#include <deque>
 
 namespace {
 
 using namespace evbal;
 
 void host(const ProcessOptions& options, Participant& participant) {
-  YamlMap scenario(YamlValue::load(options.scenario));
-  const World world = read_world(scenario);
-  const MessageBounds bounds = bounds_of(world);
+  AgentWorld world = read_agent_world(options.world);
   std::deque<RegionPlant> plants;
   std::vector<HostedRegion> regions;
-  for (int region = options.first_region; region <= options.last_region; ++region) {
-    RegionPlant& plant = plants.emplace_back(make_plant(world, region));
-    const auto begin = [&plant, &bounds](const Tick& tick) {
-      refuse_garbage(tick, bounds, "the conductor");
+  for (RegionWorld& region : world.regions) {
+    RegionPlant& plant = plants.emplace_back(std::move(region));
+    const auto begin = [&plant, &world](const Tick& tick) {
+      refuse_garbage(tick, world.bounds, "the conductor");
       plant.begin(tick);
     };
     regions.push_back({.begin = begin,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "agents/protocol/reflection.hpp"
+#include "agents/protocol/region_range.hpp"
 #include "common/error.hpp"
 #include "common/plain_text.hpp"
 
@@ -12,6 +13,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 /// Messages as CDR, as evbal.idl gives them: version 1, little-endian, fields in the order of the struct, each number
@@ -87,8 +89,8 @@ class CdrWriter {
 /// are no message. A length is believed only as far as there are bytes.
 class CdrReader {
  public:
-  /// Reads from the first byte on, which follows the encapsulation.
-  explicit CdrReader(std::string_view bytes) : bytes_(bytes) {}
+  /// Reads from the first byte on, which follows the encapsulation, and keeps what concerns `regions`.
+  CdrReader(std::string_view bytes, const RegionRange& regions) : bytes_(bytes), regions_(regions) {}
 
   /// Reads a truth value.
   void read(bool& value) {
@@ -132,12 +134,16 @@ class CdrReader {
     }
   }
 
-  /// Reads a list.
+  /// Reads a list, of which it keeps what concerns the regions.
   template <class Item>
   void read(std::vector<Item>& items) {
     items.clear();
     for (std::size_t left = length(); left > 0; --left) {
-      read(items.emplace_back());
+      Item item{};
+      read(item);
+      if (concerns(regions_, item)) {
+        items.push_back(std::move(item));
+      }
     }
   }
 
@@ -169,15 +175,17 @@ class CdrReader {
   }
 
   std::string_view bytes_;
+  RegionRange regions_;
   std::size_t at_ = 0;
 };
 
 /// A message as it goes over the bus: every topic's type begins with the run's id.
 template <class Message>
 struct Sample {
-  std::string run;      ///< id of the run
-  Message message{};    ///< as it was written
-  std::string wrong{};  ///< why the bytes that came are no message; empty if they are one
+  std::string run;        ///< id of the run
+  Message message{};      ///< as it was written
+  std::string wrong{};    ///< why the bytes that came are no message; empty if they are one
+  RegionRange regions{};  ///< that its reader asks for: of the lists in it only what concerns these is kept
 };
 
 /// Length in bytes, encapsulation included.
@@ -197,16 +205,17 @@ void write_cdr(const Sample<Message>& sample, char* out) {
   writer.write(sample.message);
 }
 
-/// Reads any bytes; does not throw.
+/// Reads any bytes and keeps what concerns `regions`; does not throw.
 template <class Message>
-Sample<Message> read_cdr(std::string_view bytes) {
+Sample<Message> read_cdr(std::string_view bytes, const RegionRange& regions = {}) {
   constexpr std::size_t options = 2;
   Sample<Message> sample;
+  sample.regions = regions;
   try {
     if (bytes.size() < cdr_encapsulation.size() || !bytes.starts_with(cdr_encapsulation.substr(0, options))) {
       throw run_failed("it does not begin as little-endian CDR does");
     }
-    CdrReader reader(bytes.substr(cdr_encapsulation.size()));
+    CdrReader reader(bytes.substr(cdr_encapsulation.size()), regions);
     reader.read(sample.run);
     reader.read(sample.message);
   } catch (const Error& error) {

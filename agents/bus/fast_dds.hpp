@@ -92,8 +92,8 @@ struct SampleBytes {
   }
 
   static bool read(const rtps::SerializedPayload_t& payload, void* data) {
-    *static_cast<Sample<Message>*>(data) =
-        read_cdr<Message>({reinterpret_cast<const char*>(payload.data), payload.length});
+    auto& sample = *static_cast<Sample<Message>*>(data);
+    sample = read_cdr<Message>({reinterpret_cast<const char*>(payload.data), payload.length}, sample.regions);
     return true;
   }
 

@@ -238,6 +238,8 @@ Writer<Message>::Writer(Participant& participant) : run_(participant.address().r
   qos.publish_mode().kind = participant.address().participant >= BusAddress::first_agent
                                 ? dds::SYNCHRONOUS_PUBLISH_MODE  // a sample or two to one or two readers
                                 : dds::ASYNCHRONOUS_PUBLISH_MODE;
+  // A sample that is lost takes a heartbeat at its end with it, and one that arrives need not be confirmed at once.
+  qos.reliable_writer_qos().disable_heartbeat_piggyback = !participant.address().apart;
   set_heartbeat_period(qos, Duration_t(0, participant.address().apart ? heartbeat_ns_apart : heartbeat_ns));
   if (participant.address().apart) {
     set_nack_response_delay(qos, Duration_t(0, answer_ns_apart));
@@ -262,7 +264,8 @@ int Writer<Message>::readers() const {
 }
 
 template <class Message>
-Reader<Message>::Reader(Participant& participant) : address_(participant.address()) {
+Reader<Message>::Reader(Participant& participant, const RegionRange& regions)
+    : address_(participant.address()), regions_(regions) {
   auto& entities = *participant.entities_;
   dds::DataReaderQos qos = entities.subscriber->get_default_datareader_qos();
   set_delivery(qos, Topic<Message>::latest, kept_samples);
@@ -287,6 +290,7 @@ template <class Message>
 std::vector<Heard<Message>> Reader<Message>::take() {
   std::vector<Heard<Message>> heard;
   Sample<Message> sample;
+  sample.regions = regions_;
   dds::SampleInfo info;
   while (succeeded(reader_->take_next_sample(&sample, &info))) {
     if (!info.valid_data) {

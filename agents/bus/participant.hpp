@@ -2,6 +2,7 @@
 
 #include "agents/bus/hello.hpp"
 #include "agents/protocol/messages.hpp"
+#include "agents/protocol/region_range.hpp"
 
 #include <chrono>
 #include <filesystem>
@@ -99,8 +100,9 @@ struct Heard {
 template <class Message>
 class Reader {
  public:
-  /// `participant` must outlive this. Throws Error{run_failed} if the middleware refuses.
-  explicit Reader(Participant& participant);
+  /// Of the lists in a message only what concerns `regions` is kept. `participant` must outlive this. Throws
+  /// Error{run_failed} if the middleware refuses.
+  explicit Reader(Participant& participant, const RegionRange& regions = {});
 
   /// All that has come since the last call, in the order of each writer. Throws Error{run_failed} if one who has a say
   /// wrote what is no message.
@@ -117,6 +119,7 @@ class Reader {
 
  private:
   BusAddress address_;
+  RegionRange regions_;
   eprosima::fastdds::dds::DataReader* reader_;
   std::map<std::string, int> refused_;
 };

@@ -2,7 +2,6 @@
 
 #include "agents/protocol/bytes.hpp"
 
-#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -23,20 +22,5 @@ struct CoordinatorEntry {
   Plan plan;                    ///< that was made of them
   std::string memory;           ///< Planner::memory
 };
-
-/// The tick without what concerns only regions outside of [first, last].
-inline Tick for_regions(Tick tick, int first, int last) {
-  const auto elsewhere = [&](const auto& entry) { return entry.region < first || entry.region > last; };
-  std::erase_if(tick.arrivals, elsewhere);
-  std::erase_if(tick.under_way, elsewhere);
-  std::erase_if(tick.effects, elsewhere);
-  return tick;
-}
-
-/// The plan without the moves that start outside of [first, last].
-inline Plan for_regions(Plan plan, int first, int last) {
-  std::erase_if(plan.moves, [&](const Move& move) { return move.from < first || move.from > last; });
-  return plan;
-}
 
 }  // namespace evbal

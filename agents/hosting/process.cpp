@@ -51,6 +51,7 @@ void add_options(CLI::App& app, ProcessOptions& options) {
          "--patience", [&](int seconds) { options.patience = std::chrono::seconds(seconds); },
          "Longest wait for what another process says, in seconds")
       ->required();
+  app.add_option("--world", options.world, "What an agent is told of its regions");
   app.add_option("--first-region", options.first_region, "First of the regions that an agent hosts");
   app.add_option("--last-region", options.last_region, "Last of them");
 }
@@ -70,6 +71,9 @@ std::vector<std::string> arguments(const ProcessOptions& options) {
                                     "--last-region",  std::to_string(options.last_region)};
   if (options.address.apart) {
     words.emplace_back("--apart");
+  }
+  if (!options.world.empty()) {
+    words.insert(words.end(), {"--world", options.world.string()});
   }
   if (!options.address.profiles.empty()) {
     words.insert(words.end(), {"--dds-profiles", options.address.profiles.string()});

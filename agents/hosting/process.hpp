@@ -12,13 +12,14 @@ namespace evbal {
 
 /// What the conductor tells a process that it starts.
 struct ProcessOptions {
-  std::string name;                 ///< "agent-0", "coordinator", "faults"
-  BusAddress address;               ///< where the process stands on the bus
-  std::filesystem::path scenario;   ///< the run's scenario.resolved.yaml
-  std::filesystem::path journal;    ///< what the process knows if it is started again (journal.hpp)
-  std::chrono::seconds patience{};  ///< longest wait for anything that another process says
-  int first_region = 0;             ///< of an agent, which hosts first_region..last_region
-  int last_region = 0;              ///< the last of them
+  std::string name;                  ///< "agent-0", "coordinator", "faults"
+  BusAddress address{};              ///< where the process stands on the bus
+  std::filesystem::path scenario{};  ///< the run's scenario.resolved.yaml
+  std::filesystem::path journal{};   ///< what the process knows if it is started again (journal.hpp)
+  std::chrono::seconds patience{};   ///< longest wait for anything that another process says
+  std::filesystem::path world{};     ///< of an agent: what it is told of its regions (agents/region/region_world.hpp)
+  int first_region = 0;              ///< of an agent, which hosts first_region..last_region
+  int last_region = 0;               ///< the last of them
 };
 
 /// The options as arguments of a command line, which run_process reads.

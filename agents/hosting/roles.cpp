@@ -61,11 +61,9 @@ std::vector<Departures> ask_departures(const std::vector<HostedRegion>& regions,
   return ask<Departures>(regions, [&](const auto& region) { return region.live(plan); });
 }
 
-/// Whether a plan will come for any of the regions [first, last].
-bool waits_for_plan(const Tick& tick, int first, int last) {
-  const auto planned = [&](int region) {
-    return first <= region && region <= last && !contains(tick.unplanned, region);
-  };
+/// Whether a plan will come for any of the regions.
+bool waits_for_plan(const Tick& tick, const RegionRange& regions) {
+  const auto planned = [&](int region) { return regions.contains(region) && !contains(tick.unplanned, region); };
   return tick.plan_due && !tick.unattended && std::any_of(tick.due.begin(), tick.due.end(), planned);
 }
 
@@ -187,8 +185,9 @@ void serve_agent(Participant& participant, const ProcessOptions& options, const 
     said = live_again(regions, told);
     last = told.tick.tick;
   }
-  Reader<Tick> ticks(participant);
-  Reader<Plan> plans(participant);
+  const RegionRange own{options.first_region, options.last_region};
+  Reader<Tick> ticks(participant, own);
+  Reader<Plan> plans(participant, own);
   Writer<std::vector<Report>> report_writer(participant);
   Writer<std::vector<Departures>> departure_writer(participant);
   say_hello(participant, options,
@@ -199,11 +198,9 @@ void serve_agent(Participant& participant, const ProcessOptions& options, const 
     }
     departure_writer.write(said.departures);
   }
-  const int first = options.first_region;
-  const auto due = [&](const Tick& tick) { return contains(tick.due, first); };
+  const auto due = [&](const Tick& tick) { return contains(tick.due, own.first); };
   for (;;) {
-    AgentEntry told{.tick = for_regions(next_tick(ticks, last, options.patience, due), first, options.last_region),
-                    .plan = {}};
+    AgentEntry told{.tick = next_tick(ticks, last, options.patience, due), .plan = {}};
     last = told.tick.tick;
     begin(regions, told.tick);
     if (told.tick.plan_due) {
@@ -212,8 +209,8 @@ void serve_agent(Participant& participant, const ProcessOptions& options, const 
         report_writer.write(reports);
       }
     }
-    if (waits_for_plan(told.tick, first, options.last_region)) {
-      told.plan.push_back(for_regions(plan_of(plans, last, options.patience), first, options.last_region));
+    if (waits_for_plan(told.tick, own)) {
+      told.plan.push_back(plan_of(plans, last, options.patience));
     }
     journal.append(to_bytes(told));
     departure_writer.write(ask_departures(regions, told));

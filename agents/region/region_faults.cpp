@@ -39,7 +39,7 @@ void RegionPlant::observe(EffectType type, double amount) {
 }
 
 int RegionPlant::points_left(bool visible_only) const {
-  int left = points_;
+  int left = world_.points;
   for (const auto& effect : incoming_.effects) {
     left -= effect.visible || !visible_only ? points_failing(effect) : 0;
   }
@@ -60,7 +60,7 @@ int RegionPlant::points_blocked(bool visible_only) const {
 }
 
 void RegionPlant::fail_points() {
-  int left = points_;
+  int left = world_.points;
   for (std::size_t i = 0; i < incoming_.effects.size(); ++i) {
     if (incoming_.effects[i].on_start != OnStart::evict) {
       continue;
@@ -75,7 +75,7 @@ void RegionPlant::fail_points() {
 }
 
 void RegionPlant::count_points() {
-  int closed = points_ - working_points(false);
+  int closed = world_.points - working_points(false);
   int free = working_points(false) - size_of(state_.sessions);
   for (std::size_t i = 0; i < incoming_.effects.size(); ++i) {
     const Effect& effect = incoming_.effects[i];
@@ -107,8 +107,8 @@ void RegionPlant::break_down() {
     }
     auto out = std::count_if(state_.broken.begin(), state_.broken.end(),
                              [&](const BrokenDown& broken) { return broken.fault == effect.fault; });
-    RandomStream stream(world_->seed, Purpose::breakdown,
-                        {.region = static_cast<std::uint64_t>(region_),
+    RandomStream stream(world_.seed, Purpose::breakdown,
+                        {.region = static_cast<std::uint64_t>(world_.region),
                          .tick = static_cast<std::uint64_t>(said_.tick),
                          .index = static_cast<std::uint64_t>(effect.fault)});
     for (; out < whole(effect) && !state_.vacant.empty(); ++out) {

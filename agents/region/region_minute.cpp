@@ -58,26 +58,27 @@ void RegionPlant::plug_in(int minute) {
   while (!state_.queue.empty() && size_of(state_.sessions) < left) {
     Vehicle vehicle = state_.queue.front();
     state_.queue.pop_front();
-    const int minutes = draw_session(*world_, vehicle.id, vehicle.sessions);
+    const int minutes = draw_session(world_.charging, world_.seed, vehicle.id, vehicle.sessions);
     ++vehicle.sessions;
     state_.sessions.push_back({.vehicle = vehicle, .since = minute, .ends = minute + minutes});
   }
 }
 
 void RegionPlant::appear(int minute) {
-  for (; state_.drawn < size_of(passengers_) && passengers_[state_.drawn].appears == minute; ++state_.drawn) {
-    const Passenger& passenger = passengers_[state_.drawn];
+  for (; state_.drawn < size_of(world_.passengers) && world_.passengers[state_.drawn].appears == minute;
+       ++state_.drawn) {
+    const Passenger& passenger = world_.passengers[state_.drawn];
     RandomStream stream(
-        world_->seed, Purpose::extra_passenger,
-        {.region = static_cast<std::uint64_t>(region_), .index = static_cast<std::uint64_t>(passenger.index)});
+        world_.seed, Purpose::extra_passenger,
+        {.region = static_cast<std::uint64_t>(world_.region), .index = static_cast<std::uint64_t>(passenger.index)});
     RandomStream turns(
-        world_->seed, Purpose::shifted_passenger,
-        {.region = static_cast<std::uint64_t>(region_), .index = static_cast<std::uint64_t>(passenger.index)});
+        world_.seed, Purpose::shifted_passenger,
+        {.region = static_cast<std::uint64_t>(world_.region), .index = static_cast<std::uint64_t>(passenger.index)});
     const int count = copies(stream.uniform());
     for (int i = 0; i < count; ++i) {
       state_.waiting.push_back(redirected(passenger, turns));
       if (i > 0) {
-        state_.waiting.back().patience = draw_patience(world_->city.passengers, stream.uniform());
+        state_.waiting.back().patience = draw_patience(world_.patience, stream.uniform());
       }
     }
     said_.demand += count;
@@ -106,16 +107,17 @@ void RegionPlant::add_passengers(int minute) {
     if (effect.type != EffectType::demand_add) {
       continue;
     }
-    RandomStream stream(world_->seed, Purpose::added_passenger,
-                        {.region = static_cast<std::uint64_t>(region_),
+    RandomStream stream(world_.seed, Purpose::added_passenger,
+                        {.region = static_cast<std::uint64_t>(world_.region),
                          .tick = static_cast<std::uint64_t>(minute),
                          .index = static_cast<std::uint64_t>(effect.fault)});
     const int count = static_cast<int>(stream.poisson(effect.magnitude / 60.0));
     for (int added = 0; added < count; ++added) {
-      const int destination = passengers_.empty() ? region_ : passengers_[stream.below(passengers_.size())].destination;
-      const Passenger passenger{.appears = minute,
-                                .patience = draw_patience(world_->city.passengers, stream.uniform()),
-                                .destination = destination};
+      const int destination = world_.passengers.empty()
+                                  ? world_.region
+                                  : world_.passengers[stream.below(world_.passengers.size())].destination;
+      const Passenger passenger{
+          .appears = minute, .patience = draw_patience(world_.patience, stream.uniform()), .destination = destination};
       state_.waiting.push_back(redirected(passenger, stream));
     }
     said_.observed[i].amount += count;
@@ -174,8 +176,8 @@ bool RegionPlant::try_serve(const Passenger& passenger, int minute) {
 }
 
 void RegionPlant::charge() {
-  const double capacity = world_->city.fleet.battery_kwh;
-  const double per_minute = world_->city.charging.power_kw / 60.0;
+  const double capacity = world_.fleet.battery_kwh;
+  const double per_minute = world_.charging.power_kw / 60.0;
   const double derated = per_minute * factor(EffectType::charger_derate, false);
   for (auto& session : state_.sessions) {
     const double room = capacity - session.vehicle.battery_kwh;
@@ -184,7 +186,7 @@ void RegionPlant::charge() {
     session.vehicle.battery_kwh += gain;
     said_.charged_kwh += gain;
   }
-  said_.queue_minutes += points_ > 0 ? size_of(state_.queue) : 0;
+  said_.queue_minutes += world_.points > 0 ? size_of(state_.queue) : 0;
 }
 
 void RegionPlant::settle(Vehicle vehicle) {

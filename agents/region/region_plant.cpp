@@ -1,7 +1,6 @@
 #include "agents/region/region_plant.hpp"
 
 #include "agents/region/size_of.hpp"
-#include "common/contract.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,36 +33,31 @@ double reserve(const std::vector<Passenger>& passengers, const std::vector<doubl
 
 }  // namespace
 
-RegionPlant::RegionPlant(const World& world, int region, std::vector<Passenger> passengers,
-                         const std::vector<Vehicle>& vehicles)
-    : world_(&world), region_(region), points_(world.city.points()[region]), passengers_(std::move(passengers)) {
-  const City& city = world.city;
-  const std::vector<int> station = city.nearest_station();
-  for (int j = 0; j < city.size(); ++j) {
-    const double way_km = station[j] < 0 || station[j] == j ? 0.0 : city.km(j, station[j]);
-    trip_kwh_.push_back(city.km(region, j) / city.fleet.km_per_kwh);
-    need_kwh_.push_back((city.km(region, j) + way_km) / city.fleet.km_per_kwh);
-    trip_minutes_.push_back(std::max(1, static_cast<int>(std::ceil(city.minutes(region, j)))));
+RegionPlant::RegionPlant(RegionWorld world) : world_(std::move(world)) {
+  const FleetAssumption& fleet = world_.fleet;
+  for (std::size_t to = 0; to < world_.km.size(); ++to) {
+    trip_kwh_.push_back(world_.km[to] / fleet.km_per_kwh);
+    need_kwh_.push_back((world_.km[to] + world_.km_to_station[to]) / fleet.km_per_kwh);
+    trip_minutes_.push_back(std::max(1, static_cast<int>(std::ceil(world_.minutes[to]))));
   }
-  station_ = station[region];
-  reserve_kwh_ = std::min(reserve(passengers_, need_kwh_, region), largest_reserve * city.fleet.battery_kwh);
-  for (const auto& vehicle : vehicles) {
+  reserve_kwh_ = std::min(reserve(world_.passengers, need_kwh_, world_.region), largest_reserve * fleet.battery_kwh);
+  for (const auto& vehicle : world_.vehicles) {
     settle(vehicle);
   }
 }
 
 void RegionPlant::begin(const Tick& tick) {
-  const auto here = [&](const auto& entry) { return entry.region == region_; };
+  const auto here = [&](const auto& entry) { return entry.region == world_.region; };
   incoming_ = {};
   std::copy_if(tick.arrivals.begin(), tick.arrivals.end(), std::back_inserter(incoming_.arrivals), here);
   std::copy_if(tick.under_way.begin(), tick.under_way.end(), std::back_inserter(incoming_.under_way), here);
   std::copy_if(tick.effects.begin(), tick.effects.end(), std::back_inserter(incoming_.effects),
                [&](const Effect& effect) { return here(effect) && family_of(effect.type) <= FaultFamily::sensor; });
-  incoming_.unplanned = std::find(tick.unplanned.begin(), tick.unplanned.end(), region_) != tick.unplanned.end();
+  incoming_.unplanned = std::find(tick.unplanned.begin(), tick.unplanned.end(), world_.region) != tick.unplanned.end();
   incoming_.unattended = tick.unattended;
   said_ = {};
   said_.tick = tick.tick;
-  said_.region = region_;
+  said_.region = world_.region;
   for (const auto& effect : incoming_.effects) {
     said_.observed.push_back({.fault = effect.fault});
   }
@@ -75,9 +69,9 @@ void RegionPlant::begin(const Tick& tick) {
 Report RegionPlant::report() {
   Report report;
   report.tick = said_.tick;
-  report.region = region_;
+  report.region = world_.region;
   const std::vector<Vehicle> vacant = vacant_as_told();
-  const double full = chargeable_below * world_->city.fleet.battery_kwh;
+  const double full = chargeable_below * world_.fleet.battery_kwh;
   report.vacant = size_of(vacant);
   report.chargeable = static_cast<std::int32_t>(
       std::ranges::count_if(vacant, [&](const Vehicle& vehicle) { return vehicle.battery_kwh < full; }));
@@ -99,9 +93,9 @@ Report RegionPlant::report() {
     bound[{cars.minute, cars.errand}] += cars.count;
   }
   for (const auto& [when, count] : bound) {
-    report.bound.push_back({.region = region_, .minute = when.first, .errand = when.second, .count = count});
+    report.bound.push_back({.region = world_.region, .minute = when.first, .errand = when.second, .count = count});
   }
-  return sensed(report, incoming_.effects, world_->clock.tick, world_->seed, state_.sensors, said_.observed);
+  return sensed(report, incoming_.effects, world_.clock.tick, world_.seed, state_.sensors, said_.observed);
 }
 
 std::vector<std::int32_t> RegionPlant::short_reach() const {
@@ -110,7 +104,7 @@ std::vector<std::int32_t> RegionPlant::short_reach() const {
   std::vector<std::int32_t> metres;
   for (const auto& vehicle : state_.queue) {
     if (vehicle.battery_kwh < farthest) {
-      metres.push_back(static_cast<std::int32_t>(1000.0 * vehicle.battery_kwh * world_->city.fleet.km_per_kwh / drain));
+      metres.push_back(static_cast<std::int32_t>(1000.0 * vehicle.battery_kwh * world_.fleet.km_per_kwh / drain));
     }
   }
   std::ranges::sort(metres);
@@ -123,8 +117,8 @@ Departures RegionPlant::live(const Plan* plan) {
   } else if (plan != nullptr) {
     send_off(*plan);
   }
-  const int first = world_->clock.minute_of(said_.tick);
-  for (int minute = first; minute < first + world_->clock.tick; ++minute) {
+  const int first = world_.clock.minute_of(said_.tick);
+  for (int minute = first; minute < first + world_.clock.tick; ++minute) {
     live_minute(minute);
   }
   close_books();
@@ -150,8 +144,8 @@ std::vector<VehiclePlace> RegionPlant::census() const {
 }
 
 void RegionPlant::send_by_own_rule() {
-  if (points_ == 0 && station_ >= 0) {
-    send_low_battery(station_, size_of(state_.queue));
+  if (world_.points == 0 && world_.station >= 0) {
+    send_low_battery(world_.station, size_of(state_.queue));
   }
 }
 
@@ -159,7 +153,7 @@ void RegionPlant::send_by_own_rule() {
 void RegionPlant::send_off(const Plan& plan) {
   std::vector<Move> moves;
   std::ranges::copy_if(plan.moves, std::back_inserter(moves),
-                       [&](const Move& move) { return move.from == region_ && move.count > 0; });
+                       [&](const Move& move) { return move.from == world_.region && move.count > 0; });
   std::ranges::stable_sort(moves, std::ranges::greater{}, [&](const Move& move) { return energy_for(move); });
   std::int64_t refused = 0;
   for (const Move& move : moves) {
@@ -170,27 +164,27 @@ void RegionPlant::send_off(const Plan& plan) {
 
 // That a car must have to do what it is told; none to stay.
 double RegionPlant::energy_for(const Move& move) const {
-  if (move.to < 0 || move.to >= world_->city.size() || move.to == region_) {
+  if (move.to < 0 || move.to >= size_of(world_.km) || move.to == world_.region) {
     return 0.0;
   }
   return move.errand == Errand::rebalance ? need_kwh_[move.to] : trip_kwh_[move.to];
 }
 
 int RegionPlant::send(const Move& move) {
-  if (move.to < 0 || move.to >= world_->city.size() || move.errand == Errand::passenger) {
+  if (move.to < 0 || move.to >= size_of(world_.km) || move.errand == Errand::passenger) {
     return 0;
   }
   if (move.errand == Errand::rebalance) {
-    return move.to == region_ ? 0 : send_vacant(move.to, move.count);
+    return move.to == world_.region ? 0 : send_vacant(move.to, move.count);
   }
-  return move.to == region_ ? top_up(move.count) : send_low_battery(move.to, move.count);
+  return move.to == world_.region ? top_up(move.count) : send_low_battery(move.to, move.count);
 }
 
 int RegionPlant::send_vacant(int to, int count) {
   const double need = need_kwh_[to] * factor(EffectType::fleet_drain, true);
   int sent = 0;
   while (sent < count && !state_.vacant.empty() && state_.vacant.back().battery_kwh >= need) {
-    depart(state_.vacant.back(), to, Errand::rebalance, world_->clock.minute_of(said_.tick));
+    depart(state_.vacant.back(), to, Errand::rebalance, world_.clock.minute_of(said_.tick));
     state_.vacant.pop_back();
     ++sent;
   }
@@ -202,7 +196,7 @@ int RegionPlant::send_low_battery(int to, int count) {
   int sent = 0;
   for (int i = size_of(state_.queue) - 1; i >= 0 && sent < count; --i) {
     if (state_.queue[i].battery_kwh >= need) {
-      depart(state_.queue[i], to, Errand::charge, world_->clock.minute_of(said_.tick));
+      depart(state_.queue[i], to, Errand::charge, world_.clock.minute_of(said_.tick));
       state_.queue.erase(state_.queue.begin() + i);
       ++sent;
     }
@@ -211,8 +205,8 @@ int RegionPlant::send_low_battery(int to, int count) {
 }
 
 int RegionPlant::top_up(int count) {
-  const double full = chargeable_below * world_->city.fleet.battery_kwh;
-  const int most = world_->city.charging.top_up && points_ > 0 ? count : 0;
+  const double full = chargeable_below * world_.fleet.battery_kwh;
+  const int most = world_.charging.top_up && world_.points > 0 ? count : 0;
   int sent = 0;
   while (sent < most && !state_.vacant.empty() && state_.vacant.front().battery_kwh < full) {
     state_.queue.push_back(state_.vacant.front());
@@ -233,10 +227,10 @@ void RegionPlant::depart(Vehicle vehicle, int to, Errand errand, int minute) {
   observe(EffectType::travel_slow, minutes - trip_minutes_[to]);
   said_.departures.push_back({.minute = minute,
                               .to = to,
-                              .arrival_minute = std::max(minute + minutes, world_->clock.minute_of(said_.tick + 1)),
+                              .arrival_minute = std::max(minute + minutes, world_.clock.minute_of(said_.tick + 1)),
                               .errand = errand,
                               .vehicle = vehicle,
-                              .km = world_->city.km(region_, to)});
+                              .km = world_.km[to]});
 }
 
 void RegionPlant::close_books() {
@@ -252,17 +246,10 @@ void RegionPlant::close_books() {
   said_.broken = size_of(state_.broken);
 }
 
-RegionPlant make_plant(const World& world, int region) {
-  EVBAL_EXPECT(region >= 0 && region < world.city.size(), "a region of the city");
-  return {world, region, draw_passengers(world, region), draw_fleet(world)[region]};
-}
-
 std::vector<RegionPlant> make_plants(const World& world) {
-  const std::vector<std::vector<Vehicle>> fleet = draw_fleet(world);
   std::vector<RegionPlant> plants;
-  plants.reserve(fleet.size());
-  for (int region = 0; region < world.city.size(); ++region) {
-    plants.emplace_back(world, region, draw_passengers(world, region), fleet[region]);
+  for (RegionWorld& region : region_worlds(world)) {
+    plants.emplace_back(std::move(region));
   }
   return plants;
 }

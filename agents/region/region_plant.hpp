@@ -1,6 +1,7 @@
 #pragma once
 
 #include "agents/protocol/messages.hpp"
+#include "agents/region/region_world.hpp"
 #include "agents/region/sensors.hpp"
 #include "agents/world/draws.hpp"
 #include "agents/world/world.hpp"
@@ -84,8 +85,8 @@ inline constexpr double chargeable_below = 0.85;
 /// region is told: the battery ends at 0 then, at worst.
 class RegionPlant {
  public:
-  /// `passengers` as draw_passengers gives them. `world` must outlive the plant.
-  RegionPlant(const World& world, int region, std::vector<Passenger> passengers, const std::vector<Vehicle>& vehicles);
+  /// Begins the day.
+  explicit RegionPlant(RegionWorld world);
 
   /// Takes this region's arrivals and effects of the tick.
   void begin(const Tick& tick);
@@ -98,7 +99,7 @@ class RegionPlant {
   Departures live(const Plan* plan);
 
   /// Which region this is.
-  int region() const { return region_; }
+  int region() const { return world_.region; }
 
   /// Every vehicle that is here, by id.
   std::vector<VehiclePlace> census() const;
@@ -152,14 +153,10 @@ class RegionPlant {
   bool try_serve(const Passenger& passenger, int minute);
   void close_books();
 
-  const World* world_;
-  int region_ = 0;
-  int points_ = 0;  ///< all points of the region
-  std::vector<Passenger> passengers_;
+  RegionWorld world_;
   std::vector<double> trip_kwh_;  ///< to each region
   std::vector<double> need_kwh_;  ///< to each region and on to its nearest station
   std::vector<int> trip_minutes_;
-  int station_ = -1;          ///< nearest region with points, -1 if there is none
   double reserve_kwh_ = 0.0;  ///< a car with less is low-battery
 
   RegionState state_;
@@ -167,10 +164,7 @@ class RegionPlant {
   Departures said_;  ///< of the tick under way
 };
 
-/// The plant of one region with its part of the fleet and its passengers. `world` must outlive it.
-RegionPlant make_plant(const World& world, int region);
-
-/// All of them, by region.
+/// The plants of all regions, by region.
 std::vector<RegionPlant> make_plants(const World& world);
 
 }  // namespace evbal

@@ -112,9 +112,9 @@ std::vector<std::vector<Vehicle>> draw_fleet(const World& world) {
   return by_region;
 }
 
-int draw_session(const World& world, int vehicle, int session) {
-  const std::vector<double>& quantiles = world.city.charging.session_quantiles;
-  RandomStream stream(world.seed, Purpose::session, {.tick = key(session), .index = key(vehicle)});
+int draw_session(const ChargingAssumption& charging, std::uint64_t seed, int vehicle, int session) {
+  const std::vector<double>& quantiles = charging.session_quantiles;
+  RandomStream stream(seed, Purpose::session, {.tick = key(session), .index = key(vehicle)});
   const double position = stream.uniform() * static_cast<double>(quantiles.size() - 1);
   const auto below = static_cast<std::size_t>(position);
   const double share = position - static_cast<double>(below);

@@ -32,7 +32,7 @@ int draw_patience(const PassengerAssumption& passengers, double uniform);
 /// day's pick-ups, evenly if there are none.
 std::vector<std::vector<Vehicle>> draw_fleet(const World& world);
 
-/// Minutes of a vehicle's `session`-th charging session: from the city's quantiles, linear in between, at least 1.
-int draw_session(const World& world, int vehicle, int session);
+/// Minutes of a vehicle's `session`-th charging session: from the quantiles, linear in between, at least 1.
+int draw_session(const ChargingAssumption& charging, std::uint64_t seed, int vehicle, int session);
 
 }  // namespace evbal

@@ -2,6 +2,7 @@
 
 #include "agents/bus/surroundings.hpp"
 #include "agents/hosting/process.hpp"
+#include "agents/region/region_world.hpp"
 #include "common/error.hpp"
 #include "common/interrupt.hpp"
 #include "experiments/conductor/collected.hpp"
@@ -28,6 +29,14 @@ constexpr int processes_patience = 10;
 
 int agents(const DdsRun& run) {
   return (run.regions + run.regions_per_process - 1) / run.regions_per_process;
+}
+
+int first_region(const DdsRun& run, int agent) {
+  return agent * run.regions_per_process;
+}
+
+int last_region(const DdsRun& run, int agent) {
+  return std::min(first_region(run, agent + 1), run.regions) - 1;
 }
 
 int participants(const DdsRun& run) {
@@ -98,6 +107,7 @@ DdsPlayers::DdsPlayers(const DdsRun& run) : run_(run), journals_(run.folder / "j
   if (run_.network) {
     network_.emplace(*run_.network, agents(run_), run_.seed);
   }
+  write_agent_worlds();
   domain_.emplace(participants(run_));
   while (!begins_in_domain()) {
     domain_.emplace(participants(run_), domain_->domain() + 1);
@@ -133,37 +143,50 @@ bool DdsPlayers::begins_in_domain() {
   }
 }
 
+std::filesystem::path DdsPlayers::world_of(int agent) const {
+  return run_.world == nullptr ? "" : journals_.path() / ("agent-" + std::to_string(agent) + ".world");
+}
+
+void DdsPlayers::write_agent_worlds() const {
+  if (run_.world != nullptr) {
+    const auto regions = region_worlds(*run_.world);
+    for (int agent = 0; agent < agents(run_); ++agent) {
+      write_agent_world(world_of(agent), *run_.world, regions, first_region(run_, agent), last_region(run_, agent));
+    }
+  }
+}
+
 void DdsPlayers::start_processes(BusAddress address) {
   const auto deadline = Clock::now() + run_.patience;
-  const auto start = [&](const std::string& name, const std::vector<std::string>& command, int first_region,
-                         int last_region) {
+  const auto start = [&](ProcessOptions told, const std::vector<std::string>& command) {
     check_interrupt();
     if (Clock::now() > deadline) {
-      throw run_failed(name + " could not be started within " + std::to_string(run_.patience.count()) + " s, after " +
-                       std::to_string(absent_.size()) + " others");
+      throw run_failed(told.name + " could not be started within " + std::to_string(run_.patience.count()) +
+                       " s, after " + std::to_string(absent_.size()) + " others");
     }
+    told.address = address;
+    told.scenario = run_.folder / "scenario.resolved.yaml";
+    told.journal = journals_.path() / told.name;
+    told.patience = processes_patience * run_.patience;
     std::vector<std::string> words(command.begin() + 1, command.end());
-    const auto told = arguments({.name = name,
-                                 .address = address,
-                                 .scenario = run_.folder / "scenario.resolved.yaml",
-                                 .journal = journals_.path() / name,
-                                 .patience = processes_patience * run_.patience,
-                                 .first_region = first_region,
-                                 .last_region = last_region});
-    words.insert(words.end(), told.begin(), told.end());
+    const auto options = arguments(told);
+    words.insert(words.end(), options.begin(), options.end());
     const int host = address.participant - BusAddress::first_agent + 1;
-    supervisor_->start(name, command.front(), words, network_ && host > 0 ? network_->namespace_of(host) : -1);
-    absent_.insert(name);
+    supervisor_->start(told.name, command.front(), words, network_ && host > 0 ? network_->namespace_of(host) : -1);
+    absent_.insert(told.name);
   };
   const auto own = [&](const char* program) { return std::vector{(run_.programs / program).string()}; };
   address.participant = BusAddress::coordinator;
-  start("coordinator", run_.coordinator.empty() ? own("evbal-coordinator") : run_.coordinator, 0, 0);
+  start({.name = "coordinator"}, run_.coordinator.empty() ? own("evbal-coordinator") : run_.coordinator);
   address.participant = BusAddress::injector;
-  start("faults", own("evbal-faults"), 0, 0);
+  start({.name = "faults"}, own("evbal-faults"));
   for (int agent = 0; agent < agents(run_); ++agent) {
     address.participant = BusAddress::first_agent + agent;
-    const int first = agent * run_.regions_per_process;
-    start(host_of(first), own("evbal-agent"), first, std::min(first + run_.regions_per_process, run_.regions) - 1);
+    start({.name = name_of(address.participant),
+           .world = world_of(agent),
+           .first_region = first_region(run_, agent),
+           .last_region = last_region(run_, agent)},
+          own("evbal-agent"));
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "agents/bus/participant.hpp"
+#include "agents/world/world.hpp"
 #include "common/installation.hpp"
 #include "experiments/conductor/domain_lock.hpp"
 #include "experiments/conductor/lossy_network.hpp"
@@ -23,8 +24,9 @@ namespace evbal {
 struct DdsRun {
   /// The run directory: scenario.resolved.yaml is there, processes/ is made, and journals/ as long as the run lasts.
   std::filesystem::path folder;
-  int regions = 0;                                ///< of the city
-  int regions_per_process = 1;                    ///< that one agent hosts
+  int regions = 0;               ///< of the city
+  int regions_per_process = 1;   ///< that one agent hosts
+  const World* world = nullptr;  ///< of which each agent gets its regions' part; stand-ins for agents need none
   std::filesystem::path programs = own_folder();  ///< where evbal-agent, evbal-coordinator and evbal-faults are
   std::vector<std::string> coordinator{};         ///< program and first words in place of evbal-coordinator's
   std::chrono::seconds patience{120};             ///< longest wait for anything, the processes' start included
@@ -76,6 +78,8 @@ class DdsPlayers : public Players {
 
   /// Starts all and waits for them; false if another program has taken one of the domain's ports meanwhile.
   bool begins_in_domain();
+  void write_agent_worlds() const;
+  std::filesystem::path world_of(int agent) const;
   void start_processes(BusAddress address);
   void await_hellos();
   void bring_back(const std::string& name, Absence how);

@@ -38,6 +38,7 @@ std::unique_ptr<Players> players_of(const Scenario& scenario, const std::filesys
     return std::make_unique<DdsPlayers>(DdsRun{.folder = folder,
                                                .regions = scenario.world.city.size(),
                                                .regions_per_process = scenario.regions_per_process,
+                                               .world = &scenario.world,
                                                .coordinator = startable(scenario.planning.coordinator),
                                                .network = scenario.network,
                                                .seed = scenario.world.seed,

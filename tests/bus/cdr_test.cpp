@@ -63,6 +63,27 @@ RC_GTEST_PROP(Cdr, GivesDeparturesBack, ()) {
   write_and_tear<std::vector<Departures>>();
 }
 
+TEST(Cdr, KeepsOfListsWhatConcernsTheReadersRegions) {
+  Tick tick;
+  tick.due = {1, 2, 3, 4};
+  for (const int region : {no_region, 1, 2, 3, 4}) {
+    tick.arrivals.push_back({.region = region, .minute = 0, .errand = Errand::passenger, .vehicle = {}});
+    tick.under_way.push_back({.region = region, .minute = 9, .errand = Errand::charge, .count = 1});
+    tick.effects.push_back({.fault = 0, .region = region});
+  }
+  const Tick told = read_cdr<Tick>(cdr(tick), {2, 3}).message;
+  EXPECT_EQ(told.due.size(), 4U);
+  ASSERT_EQ(told.arrivals.size(), 2U);
+  EXPECT_EQ(told.arrivals[0].region, 2);
+  EXPECT_EQ(told.arrivals[1].region, 3);
+  EXPECT_EQ(told.under_way.size(), 2U);
+  EXPECT_EQ(told.effects.size(), 2U);
+  Plan plan;
+  plan.moves = {{.from = 1, .to = 2, .count = 1}, {.from = 2, .to = 1, .count = 1}};
+  EXPECT_EQ(read_cdr<Plan>(cdr(plan), {1, 1}).message.moves.size(), 1U);
+  EXPECT_EQ(read_cdr<Plan>(cdr(plan)).message.moves.size(), 2U);
+}
+
 /// A plan of three moves from region 9 whose bytes are `changed`, as a reader finds it.
 template <class Change>
 std::string what_is_wrong(Change change) {

@@ -104,7 +104,7 @@ RC_GTEST_PROP(Garbage, IsNoReasonForAPlantToLoseVehicles, ()) {
   const auto faults = *test::faults_for(world);
   const int region = *rc::gen::inRange(0, world.city.size());
   const int spoilt_tick = *rc::gen::inRange(0, world.clock.ticks());
-  RegionPlant plant = make_plant(world, region);
+  RegionPlant plant(region_worlds(world)[region]);
   InprocPlayers players(
       world, [](const Tick& tick, const auto& reports) { return test::wander(7, tick.tick, reports); },
       [&](int tick) { return faults[tick]; });

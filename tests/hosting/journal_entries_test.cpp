@@ -1,5 +1,6 @@
 #include "agents/hosting/journal_entries.hpp"
 
+#include "agents/bus/cdr.hpp"
 #include "agents/protocol/fingerprint.hpp"
 #include "agents/region/region_plant.hpp"
 #include "experiments/conductor/inproc_players.hpp"
@@ -23,6 +24,15 @@ std::string answer(RegionPlant& plant, const AgentEntry& told) {
   return digest.hex();
 }
 
+/// What comes over the bus to the agent of a region alone.
+template <class Message>
+Message heard_by(int region, const Message& message) {
+  const Sample<Message> sample{.run = "r", .message = message};
+  std::string bytes(cdr_size(sample), '\0');
+  write_cdr(sample, bytes.data());
+  return read_cdr<Message>(bytes, {region, region}).message;
+}
+
 /// What all regions are told in a day in which a plan moves cars at random.
 std::vector<AgentEntry> told_in_a_day(const World& world, const std::vector<Faults>& faults) {
   InprocPlayers players(
@@ -42,12 +52,12 @@ std::vector<AgentEntry> told_in_a_day(const World& world, const std::vector<Faul
 RC_GTEST_PROP(JournalEntries, HoldAllThatARegionAnswersTo, ()) {
   const World world = *test::small_worlds();
   const int region = *rc::gen::inRange(0, world.city.size());
-  RegionPlant plant = make_plant(world, region);
-  RegionPlant again = make_plant(world, region);
+  RegionPlant plant(region_worlds(world)[region]);
+  RegionPlant again(region_worlds(world)[region]);
   for (const AgentEntry& told : told_in_a_day(world, *test::faults_for(world))) {
-    AgentEntry share{.tick = for_regions(told.tick, region, region), .plan = {}};
+    AgentEntry share{.tick = heard_by(region, told.tick), .plan = {}};
     for (const auto& plan : told.plan) {
-      share.plan.push_back(for_regions(plan, region, region));
+      share.plan.push_back(heard_by(region, plan));
     }
     RC_ASSERT(answer(plant, told) == answer(again, from_bytes<AgentEntry>(to_bytes(share))));
   }

@@ -36,7 +36,7 @@ const std::vector<Room>& rooms() {
       {"agents/region", {"common", "agents/protocol", "agents/world"}},
       {"agents/bus", {"common", "agents/protocol"}},
       {"agents/hosting", {"common", "agents/protocol", "agents/bus"}},
-      {"agents", {"agents/protocol", "agents/world", "agents/region", "agents/hosting"}},
+      {"agents", {"agents/protocol", "agents/region", "agents/hosting"}},
       {"faults/schedule", {"common", "agents/protocol"}},
       {"faults", {"agents/world", "agents/hosting", "faults/schedule"}},
       {"coordinator/forecast", {"common"}},

@@ -10,6 +10,7 @@ namespace {
 
 using test::car;
 using test::Life;
+using test::plant_of;
 using test::two_regions;
 
 // A far move that came last would find only the car that does not get there.
@@ -24,7 +25,7 @@ TEST(RegionMoves, SendsTheFarthestFirst) {
     Plan plan = test::hold(0);
     plan.moves = {{.from = 0, .to = 1, .count = 1, .errand = errand},
                   {.from = 0, .to = 2, .count = 1, .errand = errand}};
-    return Life{{world, 0, passengers, cars}}.next({}, {}, &plan).refused;
+    return Life{plant_of(world, 0, passengers, cars)}.next({}, {}, &plan).refused;
   };
   EXPECT_EQ(refused(Errand::rebalance, {}, {car(0, 1.0), car(1, 5.0)}), 0);
   EXPECT_EQ(refused(Errand::charge, {{.appears = 600, .destination = 2}}, {car(0, 0.5), car(1, 2.2)}), 0);
@@ -37,10 +38,10 @@ TEST(RegionMoves, TopsUpTheLowestChargesWhereTheWorldKnowsThat) {
   plan.moves = {{.from = 0, .to = 0, .count = 3, .errand = Errand::charge},
                 {.from = 0, .to = 0, .count = 1, .errand = Errand::rebalance}};
   const std::vector<Vehicle> cars = {car(0, 18.0), car(1, 16.9), car(2, 9.0)};  // 17 kWh are 85 %
-  Life without{{world, 0, {}, cars}};
+  Life without{plant_of(world, 0, {}, cars)};
   EXPECT_EQ(without.next({}, {}, &plan).refused, 4);
   world.city.charging.top_up = true;
-  Life life{{world, 0, {}, cars}};
+  Life life{plant_of(world, 0, {}, cars)};
   life.begin();
   const Report report = life.plant.report();
   EXPECT_EQ(report.vacant, 3);
@@ -56,14 +57,14 @@ TEST(RegionMoves, TopsUpTheLowestChargesWhereTheWorldKnowsThat) {
   EXPECT_EQ(life.next().completions, 2);
   EXPECT_EQ(life.plant.state().vacant.size(), 3U);
   plan.moves = {{.from = 1, .to = 1, .count = 1, .errand = Errand::charge}};
-  Life nowhere{{world, 1, {}, {car(0, 9.0)}}};
+  Life nowhere{plant_of(world, 1, {}, {car(0, 9.0)})};
   EXPECT_EQ(nowhere.next({}, {}, &plan).refused, 1) << "no points there";
 }
 
 TEST(RegionMoves, ReportsWhichLowBatteryCarsDoNotGetEverywhere) {
   const World world = two_regions(1);
   const std::vector<Passenger> passengers = {{.appears = 600, .patience = 5, .destination = 1}};
-  Life life{{world, 1, passengers, {car(0, 2.2), car(1, 1.0), car(2, 0.25), car(3, 9.0)}}};
+  Life life{plant_of(world, 1, passengers, {car(0, 2.2), car(1, 1.0), car(2, 0.25), car(3, 9.0)})};
   life.begin();
   EXPECT_EQ(life.plant.report().reach_m, (std::vector<std::int32_t>{1250, 5000}));
   life.plant.live(nullptr);

@@ -3,6 +3,9 @@
 #include "agents/region/region_plant.hpp"
 #include "tests/support/worlds.hpp"
 
+#include <utility>
+#include <vector>
+
 namespace evbal::test {
 
 /// Two regions, a station in region 0, no recorded demand: each test brings its own cars and passengers.
@@ -18,6 +21,15 @@ inline World two_regions(int points) {
 
 inline Vehicle car(int id, double kwh) {
   return {.id = id, .sessions = 0, .battery_kwh = kwh};
+}
+
+/// The plant of a region with the passengers and cars of a test.
+inline RegionPlant plant_of(const World& world, int region, std::vector<Passenger> passengers,
+                            std::vector<Vehicle> vehicles) {
+  RegionWorld own = region_worlds(world)[static_cast<std::size_t>(region)];
+  own.passengers = std::move(passengers);
+  own.vehicles = std::move(vehicles);
+  return RegionPlant(std::move(own));
 }
 
 /// Lives through tick after tick.

@@ -9,6 +9,7 @@ namespace {
 
 using test::car;
 using test::Life;
+using test::plant_of;
 using test::two_regions;
 
 Effect effect(EffectType type, double magnitude, bool visible = true) {
@@ -20,7 +21,7 @@ const std::vector<Passenger> late_crossing = {{.appears = 600, .patience = 5, .d
 
 TEST(RegionFaults, AddedPassengersComeByTheHour) {
   const World world = two_regions(1);
-  Life life{{world, 0, late_crossing, {}}};
+  Life life{plant_of(world, 0, late_crossing, {})};
   int demand = 0;
   double observed = 0.0;
   for (int tick = 0; tick < 100; ++tick) {
@@ -44,7 +45,7 @@ TEST(RegionFaults, ShiftedPassengersGoElsewhere) {
   }
   Effect shift = effect(EffectType::demand_shift, 0.25);
   shift.to = 0;
-  Life life{{world, 0, numbered, {}}};
+  Life life{plant_of(world, 0, numbered, {})};
   const Departures said = life.next({shift});
   const auto redirected = std::ranges::count_if(said.fates, [](const Fate& fate) { return fate.destination == 0; });
   EXPECT_NEAR(static_cast<double>(redirected), 100.0, 35.0);
@@ -54,7 +55,7 @@ TEST(RegionFaults, ShiftedPassengersGoElsewhere) {
 
 TEST(RegionFaults, ADeratedChargerChargesSlower) {
   const World world = two_regions(1);
-  Life life{{world, 0, late_crossing, {car(0, 1.0)}}};
+  Life life{plant_of(world, 0, late_crossing, {car(0, 1.0)})};
   const Departures said = life.next({effect(EffectType::charger_derate, 0.25)});
   EXPECT_NEAR(said.charged_kwh, 1.25, 1e-9);
   EXPECT_NEAR(said.observed.at(0).amount, 3.75, 1e-9);
@@ -63,7 +64,7 @@ TEST(RegionFaults, ADeratedChargerChargesSlower) {
 
 TEST(RegionFaults, NobodyPlugsInAtABlockedPoint) {
   const World world = two_regions(2);
-  Life life{{world, 0, late_crossing, {car(0, 1.0)}}};
+  Life life{plant_of(world, 0, late_crossing, {car(0, 1.0)})};
   life.next();
   const Departures said =
       life.next({effect(EffectType::charger_block, 2.0)}, {{.region = 0, .minute = 6, .vehicle = car(1, 1.0)}});
@@ -82,7 +83,7 @@ TEST(RegionFaults, NobodyPlugsInAtABlockedPoint) {
 
 TEST(RegionFaults, BrokenVehiclesComeBackAsTheyWere) {
   const World world = two_regions(1);
-  Life life{{world, 0, {}, {car(0, 9.0), car(1, 8.0), car(2, 7.0)}}};
+  Life life{plant_of(world, 0, {}, {car(0, 9.0), car(1, 8.0), car(2, 7.0)})};
   const Departures during = life.next({effect(EffectType::fleet_breakdown, 2.0)});
   EXPECT_EQ(during.broken, 2);
   EXPECT_EQ(during.vacant, 1);
@@ -96,7 +97,7 @@ TEST(RegionFaults, BrokenVehiclesComeBackAsTheyWere) {
 
 TEST(RegionFaults, BreakdownsWaitForVehicles) {
   const World world = two_regions(1);
-  Life life{{world, 0, {}, {}}};
+  Life life{plant_of(world, 0, {}, {})};
   const Effect breakdown = effect(EffectType::fleet_breakdown, 2.0);
   EXPECT_EQ(life.next({breakdown}, {{.region = 0, .minute = 2, .vehicle = car(1, 9.0)}}).broken, 0);
   EXPECT_EQ(life.next({breakdown}).broken, 1);
@@ -104,7 +105,7 @@ TEST(RegionFaults, BreakdownsWaitForVehicles) {
 
 TEST(RegionFaults, ABreakdownThatNobodyIsToldIsReportedVacant) {
   const World world = two_regions(1);
-  Life life{{world, 0, {}, {car(0, 9.0), car(1, 8.0)}}};
+  Life life{plant_of(world, 0, {}, {car(0, 9.0), car(1, 8.0)})};
   life.begin({effect(EffectType::fleet_breakdown, 1.0, true)});
   EXPECT_EQ(life.plant.report().vacant, 1);
   life.plant.live(nullptr);
@@ -119,7 +120,7 @@ TEST(RegionFaults, DrainedTripsCostMoreAndMayStrand) {
   const World world = two_regions(1);
   const std::vector<Passenger> crossing = {{.appears = 0, .patience = 0, .destination = 1}};
   const auto first_departure = [&](double kwh, const Effect& drain) {
-    Life life{{world, 0, crossing, {car(0, kwh)}}};
+    Life life{plant_of(world, 0, crossing, {car(0, kwh)})};
     return life.next({drain});
   };
   const Departures far = first_departure(10.0, effect(EffectType::fleet_drain, 3.0, false));
@@ -134,7 +135,7 @@ TEST(RegionFaults, DrainedTripsCostMoreAndMayStrand) {
 
 TEST(RegionFaults, SlowTripsTakeLonger) {
   const World world = two_regions(1);
-  Life life{{world, 0, {{.appears = 0, .patience = 0, .destination = 1}}, {car(0, 10.0)}}};
+  Life life{plant_of(world, 0, {{.appears = 0, .patience = 0, .destination = 1}}, {car(0, 10.0)})};
   const Departures said = life.next({effect(EffectType::travel_slow, 1.5)});
   EXPECT_EQ(said.departures.at(0).arrival_minute, 32);
   EXPECT_EQ(said.observed.at(0).amount, 11.0);

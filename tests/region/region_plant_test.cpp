@@ -13,6 +13,7 @@ namespace {
 
 using test::car;
 using test::Life;
+using test::plant_of;
 using test::two_regions;
 
 Effect outage(double points, OnStart on_start, bool visible = true) {
@@ -34,7 +35,7 @@ RC_GTEST_PROP(RegionPlant, ServesWithTheLowestSufficientCharge, ()) {
       expected = vehicle;
     }
   }
-  Life life{{world, 0, {{.appears = 2, .patience = 0, .destination = destination}}, cars}};
+  Life life{plant_of(world, 0, {{.appears = 2, .patience = 0, .destination = destination}}, cars)};
   const Departures said = life.next();
   RC_ASSERT(said.fates.size() == 1U);
   RC_ASSERT(said.fates[0].served == expected.has_value());
@@ -48,7 +49,7 @@ TEST(RegionPlant, ServesFirstComeFirstServedAndLosesTheImpatient) {
   const std::vector<Passenger> passengers = {{.appears = 0, .patience = 5, .destination = 1, .index = 0},
                                              {.appears = 1, .patience = 20, .destination = 1, .index = 1},
                                              {.appears = 1, .patience = 6, .destination = 1, .index = 2}};
-  Life life{{world, 0, passengers, {}}};
+  Life life{plant_of(world, 0, passengers, {})};
   EXPECT_EQ(life.next().waiting, 3);
   const Departures said = life.next({}, {{.region = 0, .minute = 7, .vehicle = car(9, 10.0)}});
   ASSERT_EQ(said.fates.size(), 3U);
@@ -66,10 +67,8 @@ TEST(RegionPlant, ServesFirstComeFirstServedAndLosesTheImpatient) {
 
 TEST(RegionPlant, AShortTripLastsUntilTheTickEnds) {
   const World world = two_regions(1);
-  Life life{{world,
-             0,
-             {{.appears = 4, .patience = 5, .destination = 0}, {.appears = 5, .patience = 5}},
-             {car(0, 9.0), car(1, 9.5)}}};
+  Life life{plant_of(world, 0, {{.appears = 4, .patience = 5, .destination = 0}, {.appears = 5, .patience = 5}},
+                     {car(0, 9.0), car(1, 9.5)})};
   const Departures first = life.next();
   ASSERT_EQ(first.departures.size(), 1U);
   EXPECT_EQ(first.departures[0].arrival_minute, 9);
@@ -82,7 +81,7 @@ TEST(RegionPlant, ChargesInTheOrderOfTheQueue) {
   const World world = two_regions(1);
   // All passengers want to cross: below 4 kWh a car is low.
   const std::vector<Passenger> passengers = {{.appears = 600, .patience = 5, .destination = 1}};
-  Life life{{world, 0, passengers, {car(4, 1.0), car(2, 3.0), car(7, 2.0), car(1, 5.0)}}};
+  Life life{plant_of(world, 0, passengers, {car(4, 1.0), car(2, 3.0), car(7, 2.0), car(1, 5.0)})};
   std::vector<int> order;
   int completions = 0;
   double charged = 0.0;
@@ -106,7 +105,7 @@ TEST(RegionPlant, ChargesInTheOrderOfTheQueue) {
 TEST(RegionPlant, ACarThatIsStillLowQueuesAgain) {
   World world = two_regions(1);
   world.city.charging.power_kw = 3.0;  // half a kWh a session
-  Life life{{world, 0, {{.appears = 600, .patience = 5, .destination = 1}}, {car(0, 3.2), car(1, 3.6)}}};
+  Life life{plant_of(world, 0, {{.appears = 600, .patience = 5, .destination = 1}}, {car(0, 3.2), car(1, 3.6)})};
   life.next();
   life.next();
   const Departures said = life.next();  // the first session ended at minute 10
@@ -118,7 +117,8 @@ TEST(RegionPlant, ACarThatIsStillLowQueuesAgain) {
 
 TEST(RegionPlant, EvictionUnplugsTheLatestToTheHeadOfTheQueue) {
   const World world = two_regions(2);
-  Life life{{world, 0, {{.appears = 600, .patience = 5, .destination = 1}}, {car(0, 0.0), car(1, 0.0), car(2, 0.0)}}};
+  Life life{
+      plant_of(world, 0, {{.appears = 600, .patience = 5, .destination = 1}}, {car(0, 0.0), car(1, 0.0), car(2, 0.0)})};
   life.next();
   const Departures said = life.next({outage(1.0, OnStart::evict)});
   EXPECT_EQ(said.observed.at(0).evicted, 1);
@@ -134,7 +134,8 @@ TEST(RegionPlant, EvictionUnplugsTheLatestToTheHeadOfTheQueue) {
 
 TEST(RegionPlant, DrainLetsSessionsEndAndPointsStayShut) {
   const World world = two_regions(2);
-  Life life{{world, 0, {{.appears = 600, .patience = 5, .destination = 1}}, {car(0, 0.0), car(1, 0.0), car(2, 0.0)}}};
+  Life life{
+      plant_of(world, 0, {{.appears = 600, .patience = 5, .destination = 1}}, {car(0, 0.0), car(1, 0.0), car(2, 0.0)})};
   life.next();
   const Departures during = life.next({outage(2.0, OnStart::drain)});
   EXPECT_EQ(during.plugged, 2);
@@ -150,7 +151,7 @@ TEST(RegionPlant, DrainLetsSessionsEndAndPointsStayShut) {
 
 TEST(RegionPlant, ReportsOnlyVisibleFailures) {
   const World world = two_regions(3);
-  Life life{{world, 0, {}, {}}};
+  Life life{plant_of(world, 0, {}, {})};
   life.begin({outage(1.0, OnStart::evict, true), outage(1.0, OnStart::evict, false)});
   EXPECT_EQ(life.plant.report().points, 2);
   EXPECT_EQ(life.plant.live(nullptr).points, 1);
@@ -160,7 +161,7 @@ TEST(RegionPlant, SendsOffWhatIsThereAndRefusesTheRest) {
   const World world = two_regions(1);
   const std::vector<Passenger> passengers = {{.appears = 600, .patience = 5, .destination = 1}};
   // Region 1: crossing to the station costs 2 kWh, the reserve is 0.4 + 2.
-  Life life{{world, 1, passengers, {car(0, 1.0), car(1, 2.2), car(2, 6.0), car(3, 9.0)}}};
+  Life life{plant_of(world, 1, passengers, {car(0, 1.0), car(1, 2.2), car(2, 6.0), car(3, 9.0)})};
   Plan plan = test::hold(0);
   plan.moves = {{.from = 1, .to = 0, .count = 1, .errand = Errand::rebalance},
                 {.from = 1, .to = 0, .count = 3, .errand = Errand::charge},
@@ -181,7 +182,7 @@ TEST(RegionPlant, SendsOffWhatIsThereAndRefusesTheRest) {
 
 TEST(RegionPlant, RefusesAPlanOfAnotherTick) {
   const World world = two_regions(1);
-  Life life{{world, 0, {}, {car(0, 9.0)}}};
+  Life life{plant_of(world, 0, {}, {car(0, 9.0)})};
   Plan plan = test::hold(1);
   plan.moves = {{.from = 0, .to = 1, .count = 2147483647, .errand = Errand::rebalance},
                 {.from = 0, .to = 1, .count = 2147483647, .errand = Errand::charge}};
@@ -192,7 +193,7 @@ TEST(RegionPlant, RefusesAPlanOfAnotherTick) {
 
 TEST(RegionPlant, ReportsWhatIsBoundForIt) {
   const World world = two_regions(1);
-  RegionPlant plant(world, 0, {}, {});
+  RegionPlant plant = plant_of(world, 0, {}, {});
   Tick tick;
   tick.arrivals = {{.region = 0, .minute = 1, .vehicle = car(1, 9.0)},
                    {.region = 0, .minute = 1, .vehicle = car(2, 9.0)},
@@ -208,7 +209,7 @@ TEST(RegionPlant, ReportsWhatIsBoundForIt) {
 }
 
 int demand_under(double factor, const World& world, double* observed = nullptr) {
-  Life life{{world, 0, draw_passengers(world, 0), {}}};
+  Life life{plant_of(world, 0, draw_passengers(world, 0), {})};
   const Effect effect{.type = EffectType::demand_scale, .region = 0, .magnitude = factor};
   int demand = 0;
   for (int tick = 0; tick < world.clock.ticks(); ++tick) {
@@ -278,7 +279,7 @@ TEST(Draws, SessionsFollowTheirQuantiles) {
   world.city.charging.session_quantiles = {10.0, 20.0, 80.0};
   int above_median = 0;
   for (int vehicle = 0; vehicle < 4000; ++vehicle) {
-    const int minutes = draw_session(world, vehicle, 3);
+    const int minutes = draw_session(world.city.charging, world.seed, vehicle, 3);
     EXPECT_GE(minutes, 10);
     EXPECT_LE(minutes, 80);
     above_median += minutes > 20 ? 1 : 0;

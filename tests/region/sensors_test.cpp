@@ -109,7 +109,7 @@ TEST(Sensors, MaySayAnything) {
 TEST(Sensors, DoNotTouchThePlant) {
   const World world = test::two_regions(1);
   const auto day = [&](std::vector<Effect> effects) {
-    test::Life life{{world, 0, {}, {test::car(0, 9.0), test::car(1, 8.0)}}};
+    test::Life life{test::plant_of(world, 0, {}, {test::car(0, 9.0), test::car(1, 8.0)})};
     life.begin(std::move(effects));
     const Report said = life.plant.report();
     return std::pair(said.vacant, life.plant.live(nullptr).vacant);

@@ -97,6 +97,7 @@ class ToyDay : public testing::Test {
     DdsPlayers players({.folder = folder_.path(),
                         .regions = scenario_.world.city.size(),
                         .regions_per_process = regions_per_process,
+                        .world = &scenario_.world,
                         .programs = EVBAL_PROGRAMS});
     return digest_of(players, observe);
   }

@@ -62,7 +62,7 @@ void hear_tick(std::string_view bytes) {
   const auto said = message<Tick>(bytes);
   refuse_garbage(said, bounds(), "the conductor");
   announced_demand(said.effects, world().city.size());
-  RegionPlant plant = make_plant(world(), 0);
+  RegionPlant plant(region_worlds(world())[0]);
   plant.begin(said);
   plant.report();
   plant.live(nullptr);
@@ -70,7 +70,7 @@ void hear_tick(std::string_view bytes) {
 
 void hear_plan(std::string_view bytes) {
   const auto said = message<Plan>(bytes);
-  RegionPlant plant = make_plant(world(), 0);
+  RegionPlant plant(region_worlds(world())[0]);
   Tick tick;
   tick.tick = said.tick == now ? now : 0;
   plant.begin(tick);

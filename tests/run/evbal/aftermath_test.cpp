@@ -89,15 +89,15 @@ TEST(Aftermath, OfAProcessThatDidNotEndIsRemoved) {
   ASSERT_EQ(line.evbal("run morning.yaml --controller none --quiet --out a").status, 0);
   int input[2];
   ASSERT_EQ(pipe(input), 0);
-  std::vector<std::string> words = {"evbal-agent",
+  std::vector<std::string> words = {"evbal-faults",
                                     "--name",
-                                    "agent-0",
+                                    "faults",
                                     "--run",
                                     "1-12345",
                                     "--domain",
                                     "90",
                                     "--participant",
-                                    "3",
+                                    "2",
                                     "--participants",
                                     "8",
                                     "--scenario",
@@ -114,15 +114,15 @@ TEST(Aftermath, OfAProcessThatDidNotEndIsRemoved) {
   posix_spawn_file_actions_t files;
   posix_spawn_file_actions_init(&files);
   posix_spawn_file_actions_adddup2(&files, input[0], STDIN_FILENO);
-  pid_t agent = 0;
-  const std::string program = fs::path(EVBAL_PROGRAM).parent_path() / "evbal-agent";
-  ASSERT_EQ(posix_spawn(&agent, program.c_str(), &files, nullptr, pointers.data(), environ), 0);
-  const std::string name = "evbal-agent (process " + std::to_string(agent) + ") of run 1-12345";
+  pid_t left = 0;
+  const std::string program = fs::path(EVBAL_PROGRAM).parent_path() / "evbal-faults";
+  ASSERT_EQ(posix_spawn(&left, program.c_str(), &files, nullptr, pointers.data(), environ), 0);
+  const std::string name = "evbal-faults (process " + std::to_string(left) + ") of run 1-12345";
   ASSERT_TRUE(comes_true([&] { return line.evbal("doctor").out.find(name) != std::string::npos; }));
-  EXPECT_EQ(kill(agent, 0), 0);
+  EXPECT_EQ(kill(left, 0), 0);
   EXPECT_NE(line.evbal("doctor --clean").out.find("removed " + name), std::string::npos);
   int status = 0;
-  waitpid(agent, &status, 0);
+  waitpid(left, &status, 0);
   EXPECT_TRUE(WIFSIGNALED(status));
 }
 
