@@ -26,6 +26,7 @@ enum class Purpose : std::uint32_t {
   trip_end = 16,           ///< places of trip ends that are known by zone only
   lost_packet = 17,        ///< what the network loses below the middleware
   thinned_count = 18,      ///< which of the trips on record a pack takes
+  ingested_day = 19,       ///< trips of a day, where records have means only
 };
 
 /// The place of a draw: who draws, when, and for which of several like things.

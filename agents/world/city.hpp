@@ -48,13 +48,20 @@ struct DemandDay {
   std::vector<std::vector<TripCount>> steps;  ///< by step of the day
 };
 
+/// Where the vehicles stand at the day's start.
+enum class FleetPlacement {
+  pick_ups,  ///< drawn, each region as likely as its share of the day's pick-ups
+  even,      ///< as many in each region
+};
+
 /// Vehicles, points, batteries and patience that the records do not tell: declared per pack, overridden by scenarios.
 struct FleetAssumption {
-  int vehicles = 0;                  ///< of the fleet
-  double battery_kwh = 0.0;          ///< of each vehicle
-  double km_per_kwh = 0.0;           ///< of each vehicle
-  double initial_charge_low = 0.0;   ///< share of the battery at the day's start, drawn uniformly
-  double initial_charge_high = 0.0;  ///< likewise
+  int vehicles = 0;                                     ///< of the fleet
+  double battery_kwh = 0.0;                             ///< of each vehicle
+  double km_per_kwh = 0.0;                              ///< of each vehicle
+  double initial_charge_low = 0.0;                      ///< share of the battery at the day's start, drawn uniformly
+  double initial_charge_high = 0.0;                     ///< likewise
+  FleetPlacement placement = FleetPlacement::pick_ups;  ///< at the day's start
 };
 
 /// Chargers and sessions that the records do not tell.

@@ -105,7 +105,8 @@ std::vector<std::vector<Vehicle>> draw_fleet(const World& world) {
   std::vector<std::vector<Vehicle>> by_region(world.city.regions.size());
   for (int id = 0; id < fleet.vehicles; ++id) {
     RandomStream stream(world.seed, Purpose::fleet, {.index = key(id)});
-    const std::size_t region = stream.weighted(pick_ups);
+    const std::size_t drawn = stream.weighted(pick_ups);
+    const std::size_t region = fleet.placement == FleetPlacement::even ? id % pick_ups.size() : drawn;
     const double charge = stream.uniform(fleet.initial_charge_low, fleet.initial_charge_high);
     by_region[region].push_back({.id = id, .sessions = 0, .battery_kwh = charge * fleet.battery_kwh});
   }

@@ -84,8 +84,35 @@ FleetAssumption read_fleet(const YamlValue& value) {
   fleet.km_per_kwh = map.require("km_per_kwh").number(0.1, 100.0);
   std::tie(fleet.initial_charge_low, fleet.initial_charge_high) =
       read_range(map.require("initial_charge"), [](const YamlValue& share) { return share.number(0.0, 1.0); });
+  if (const auto placement = map.find("placement")) {
+    fleet.placement = read_placement(*placement);
+  }
   map.finish();
   return fleet;
+}
+
+FleetPlacement read_placement(const YamlValue& value) {
+  return static_cast<FleetPlacement>(value.one_of({"pick_ups", "even"}));
+}
+
+void write_placement(YamlWriter& yaml, FleetPlacement placement) {
+  if (placement == FleetPlacement::even) {
+    yaml.key("placement").word("even");
+  }
+}
+
+ChargingAssumption read_charging(YamlMap& map) {
+  ChargingAssumption charging;
+  charging.power_kw = map.require("power_kw").number(0.1, 10'000.0);
+  const YamlValue quantiles = map.require("session_quantiles");
+  for (const auto& item : quantiles.items()) {
+    charging.session_quantiles.push_back(read_session_minutes(item));
+  }
+  if (charging.session_quantiles.size() < 2 ||
+      !std::is_sorted(charging.session_quantiles.begin(), charging.session_quantiles.end())) {
+    throw quantiles.error("expected at least two durations, ascending");
+  }
+  return charging;
 }
 
 double read_patience(const YamlValue& value) {

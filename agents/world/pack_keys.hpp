@@ -2,6 +2,7 @@
 
 #include "agents/world/city.hpp"
 #include "common/yaml.hpp"
+#include "common/yaml_writer.hpp"
 
 namespace evbal {
 
@@ -16,6 +17,15 @@ void read_days(const YamlValue& value, City& city);
 
 /// The map of `fleet`.
 FleetAssumption read_fleet(const YamlValue& value);
+
+/// The word of a `fleet`'s `placement`.
+FleetPlacement read_placement(const YamlValue& value);
+
+/// Writes the key `placement`, unless it is the one that is taken if nothing is said.
+void write_placement(YamlWriter& yaml, FleetPlacement placement);
+
+/// The keys `power_kw` and `session_quantiles` of a map of `charging`.
+ChargingAssumption read_charging(YamlMap& map);
 
 /// How long a passenger waits, in minutes: at most a day.
 double read_patience(const YamlValue& value);

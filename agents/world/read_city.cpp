@@ -5,30 +5,12 @@
 #include "agents/world/regions_file.hpp"
 #include "common/yaml.hpp"
 
-#include <algorithm>
-
 namespace evbal {
 namespace {
 
 constexpr int kMaxRegions = 5000;
 constexpr double kMaxMinutes = 24.0 * 60.0;
 constexpr double kMaxKm = 1000.0;
-
-ChargingAssumption read_charging(const YamlValue& value) {
-  YamlMap map(value);
-  ChargingAssumption charging;
-  charging.power_kw = map.require("power_kw").number(0.1, 10'000.0);
-  const YamlValue quantiles = map.require("session_quantiles");
-  for (const auto& item : quantiles.items()) {
-    charging.session_quantiles.push_back(read_session_minutes(item));
-  }
-  if (charging.session_quantiles.size() < 2 ||
-      !std::is_sorted(charging.session_quantiles.begin(), charging.session_quantiles.end())) {
-    throw quantiles.error("expected at least two durations, ascending");
-  }
-  map.finish();
-  return charging;
-}
 
 void read_travel(const std::filesystem::path& file, City& city) {
   const int n = city.size();
@@ -73,7 +55,9 @@ City read_city(const std::filesystem::path& folder) {
   }
   read_days(map.require("days"), city);
   city.fleet = read_fleet(map.require("fleet"));
-  city.charging = read_charging(map.require("charging"));
+  YamlMap charging(map.require("charging"));
+  city.charging = read_charging(charging);
+  charging.finish();
   city.passengers = read_passengers(map.require("passengers"));
   city.stations = read_stations(map.require("stations"), city.regions);
   const auto factors = map.find("factors");

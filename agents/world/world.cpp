@@ -150,6 +150,9 @@ void override_fleet(const YamlValue& value, FleetAssumption& fleet) {
   override_number(map, "km_per_kwh", 0.01, 1000.0, fleet.km_per_kwh);
   override_range(map, "initial_charge", fleet.initial_charge_low, fleet.initial_charge_high,
                  [](const YamlValue& end) { return end.number(0.0, 1.0); });
+  if (const auto placement = map.find("placement")) {
+    fleet.placement = read_placement(*placement);
+  }
   map.finish();
 }
 
@@ -313,7 +316,9 @@ void write_world(YamlWriter& yaml, const World& world) {
   yaml.key("fleet").begin_map(one_line).key("vehicles").number(city.fleet.vehicles);
   yaml.key("battery_kwh").number(city.fleet.battery_kwh).key("km_per_kwh").number(city.fleet.km_per_kwh);
   yaml.key("initial_charge").begin_list().number(city.fleet.initial_charge_low);
-  yaml.number(city.fleet.initial_charge_high).end_list().end_map();
+  yaml.number(city.fleet.initial_charge_high).end_list();
+  write_placement(yaml, city.fleet.placement);
+  yaml.end_map();
   yaml.key("charging").begin_map(one_line).key("power_kw").number(city.charging.power_kw);
   yaml.key("session_quantiles").begin_list();
   for (const double minutes : city.charging.session_quantiles) {

@@ -34,7 +34,9 @@ std::string city_yaml(const City& city) {
   yaml.end_map().key("fleet").begin_map().key("vehicles").number(city.fleet.vehicles);
   yaml.key("battery_kwh").number(city.fleet.battery_kwh).key("km_per_kwh").number(city.fleet.km_per_kwh);
   yaml.key("initial_charge").begin_list(one_line).number(city.fleet.initial_charge_low);
-  yaml.number(city.fleet.initial_charge_high).end_list().end_map();
+  yaml.number(city.fleet.initial_charge_high).end_list();
+  write_placement(yaml, city.fleet.placement);
+  yaml.end_map();
   yaml.key("charging").begin_map().key("power_kw").number(city.charging.power_kw);
   yaml.key("session_quantiles").begin_list(one_line);
   for (const double minutes : city.charging.session_quantiles) {

@@ -1,5 +1,6 @@
 #include "agents/world/world.hpp"
 
+#include "agents/world/draws.hpp"
 #include "agents/world/synthetic.hpp"
 #include "tests/folder.hpp"
 #include "tests/support/yaml_of.hpp"
@@ -70,6 +71,18 @@ stations:
   ASSERT_EQ(world.city.stations.size(), 2U);
   EXPECT_EQ(world.city.points()[4], 9);
   EXPECT_EQ(world.city.stations[1].region, 0);
+}
+
+TEST(World, PlacesAFleetEvenlyIfTold) {
+  const World world = read(smallest + "fleet: {vehicles: 17, placement: even}\n");
+  std::vector<std::size_t> cars;
+  for (const auto& region : draw_fleet(world)) {
+    cars.push_back(region.size());
+  }
+  EXPECT_EQ(cars, (std::vector<std::size_t>{4, 4, 3, 3, 3}));
+  EXPECT_EQ(read(world_yaml(world)).city.fleet.placement, FleetPlacement::even);
+  EXPECT_EQ(world_yaml(read(smallest)).find("placement"), std::string::npos);
+  expect_refused("fleet: {placement: evn}\n", "a.yaml:4", "even");
 }
 
 TEST(World, ComesBackFromItsText) {

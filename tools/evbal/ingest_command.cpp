@@ -10,6 +10,7 @@
 #include "tools/ingest/ingest_counts.hpp"
 #include "tools/ingest/ingest_od.hpp"
 #include "tools/ingest/ingest_partition.hpp"
+#include "tools/ingest/ingest_rl4amod.hpp"
 #include "tools/ingest/ingest_stations.hpp"
 #include "tools/ingest/ingest_trips.hpp"
 
@@ -175,6 +176,29 @@ void add_partition(CLI::App& ingest) {
   });
 }
 
+void add_rl4amod(CLI::App& ingest) {
+  struct Arguments {
+    std::string scenario;
+    std::string notes;
+    std::string out;
+  };
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = ingest.add_subcommand("rl4amod", "Make a city of a scenario file of RL4AMOD");
+  command->add_option("FILE", arguments->scenario, "scenario_CITY.json, plain or compressed")->required();
+  command
+      ->add_option("--notes", arguments->notes, "YAML of what it does not say: days, speed, fleet, chargers, patience")
+      ->required();
+  command->add_option("--out", arguments->out, "Folder of the new pack")->required();
+  command->callback([arguments] {
+    const Rl4amodCity city = ingest_rl4amod(arguments->scenario, arguments->notes);
+    NewFolder folder(arguments->out);
+    write_city(city.made.city, city.made.days, folder.path());
+    write_file(folder.path() / "prices.csv", city.prices);
+    folder.keep();
+    std::cout << city.made.report << "wrote " << arguments->out << "\n";
+  });
+}
+
 void add_stations(CLI::App& ingest) {
   struct Arguments {
     std::string table;
@@ -259,6 +283,7 @@ void add_ingest_command(CLI::App& app) {
   add_gps(*ingest);
   add_od(*ingest);
   add_partition(*ingest);
+  add_rl4amod(*ingest);
   add_stations(*ingest);
   add_trips(*ingest);
   add_synthetic(*ingest);

@@ -6,6 +6,7 @@
 #include "tools/fit/transition_table.hpp"
 #include "tools/gps/ingest_gps.hpp"
 #include "tools/ingest/cell_trips.hpp"
+#include "tools/ingest/rl4amod_scenario.hpp"
 #include "tools/ingest/sessions.hpp"
 #include "tools/ingest/travel_sample.hpp"
 #include "tools/ingest/trips.hpp"
@@ -121,14 +122,18 @@ void read_cell_table(std::string_view bytes) {
   read_cell_trips(write("cells.csv", bytes), format);
 }
 
+void read_peer_scenario(std::string_view bytes) {
+  read_rl4amod(write("scenario.json", bytes));
+}
+
 }  // namespace
 }  // namespace evbal
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace evbal;
-  static constexpr Reader readers[]{read_gps,           read_local_gps,     read_trip_table,
-                                    read_trips_by_zone, read_session_table, read_transition_table,
-                                    read_count_table,   read_sample_table,  read_cell_table};
+  static constexpr Reader readers[]{read_gps,           read_local_gps,        read_trip_table,  read_trips_by_zone,
+                                    read_session_table, read_transition_table, read_count_table, read_sample_table,
+                                    read_cell_table,    read_peer_scenario};
   read_any(readers, data, size);
   return 0;
 }
