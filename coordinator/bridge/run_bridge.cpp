@@ -1,13 +1,12 @@
 #include "coordinator/bridge/run_bridge.hpp"
 
-#include "agents/hosting/child_process.hpp"
 #include "agents/hosting/process.hpp"
 #include "agents/hosting/roles.hpp"
 #include "agents/world/world.hpp"
 #include "common/error.hpp"
+#include "common/files.hpp"
 #include "common/pin.hpp"
-#include "coordinator/balancing/controllers.hpp"
-#include "coordinator/bridge/json_lines.hpp"
+#include "coordinator/bridge/external_controller.hpp"
 #include "coordinator/planning/settings.hpp"
 
 #include <algorithm>
@@ -18,32 +17,18 @@
 namespace evbal {
 namespace {
 
-void check_name(const std::string& controller) {
-  if (std::ranges::find(controllers(), controller, &Controller::name) != controllers().end()) {
-    throw bad_input("`" + controller + "` is a controller of evbal's own; name yours by --controller NAME");
-  }
-}
-
 void bridge(const Command& command, const ProcessOptions& options, Participant& participant) {
   if (command.empty()) {
     throw bad_input("evbal-bridge: no command; give one, such as --coordinator \"evbal-bridge python3 mine.py\"");
   }
-  YamlMap scenario(YamlValue::load(options.scenario));
+  const std::string resolved = text_of_file(options.scenario);
+  YamlMap scenario(YamlValue::parse(resolved, options.scenario.string()));
   const World world = read_world(scenario);
-  const std::string controller = read_planning(scenario).controller;
-  check_name(controller);
-  ChildProcess child(command);
-  const Farewell farewell([&child] { child.end(); });
-  child.write(opening_line(world, controller));
-  const auto plan = [&](const Tick& tick, const std::vector<Report>& reports) {
-    child.write(question_line(tick.tick, reports));
-    const std::string answer = child.read("the plan of tick " + std::to_string(tick.tick));
-    const std::string place = "line " + std::to_string(child.lines_read()) + " of `" + shown(command) + "`";
-    Plan made{
-        .tick = tick.tick, .moves = read_answer(answer, place, reports, world.city), .provenance = {}, .origin = {}};
-    made.provenance.controller = controller;
-    return made;
-  };
+  PlanningSettings settings = read_planning(scenario);
+  settings.coordinator = command;
+  const auto controller = start_controller(world, settings, resolved);
+  const Farewell farewell([&] { controller->end(); });
+  const auto plan = [&](const Tick& tick, const auto& reports) { return controller->plan(tick, reports); };
   // The child's state cannot be saved: after a restart a new child is asked for the past plans once more.
   serve_coordinator(
       participant, options,

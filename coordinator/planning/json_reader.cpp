@@ -85,6 +85,10 @@ double JsonObject::number_in(const json& value, const std::string& key, double l
   return number;
 }
 
+bool JsonObject::has(const std::string& key) const {
+  return value_->contains(key);
+}
+
 JsonObject JsonObject::object(const std::string& key) {
   return {require(key), file_, (place_.empty() ? "" : place_ + ".") + key};
 }
@@ -119,6 +123,14 @@ std::vector<std::string> JsonObject::texts(const std::string& key) {
     out.push_back(item.get<std::string>());
   }
   return out;
+}
+
+bool JsonObject::boolean(const std::string& key) {
+  const json& value = require(key);
+  if (!value.is_boolean()) {
+    throw error(key, "true or false is expected");
+  }
+  return value.get<bool>();
 }
 
 int JsonObject::integer(const std::string& key, int low, int high) {

@@ -25,6 +25,8 @@ class JsonObject {
   /// `place` says where in the file it stands, for messages.
   JsonObject(const nlohmann::json& value, std::string file, std::string place);
 
+  /// Whether the key is there.
+  bool has(const std::string& key) const;
   /// An object.
   JsonObject object(const std::string& key);
   /// A list of objects.
@@ -33,6 +35,8 @@ class JsonObject {
   std::string text(const std::string& key);
   /// A list of texts.
   std::vector<std::string> texts(const std::string& key);
+  /// True or false.
+  bool boolean(const std::string& key);
   /// A whole number in [low, high].
   int integer(const std::string& key, int low, int high);
   /// A number in [low, high].

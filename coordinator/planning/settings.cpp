@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
+#include <cmath>
 #include <utility>
 
 namespace evbal {
@@ -85,12 +87,46 @@ std::filesystem::path model_path(const YamlValue& value) {
   return given.is_absolute() ? given : std::filesystem::path(value.file()).parent_path() / given;
 }
 
-Command read_command(const YamlValue& value) {
-  Command words;
-  for (const auto& item : value.items()) {
-    words.push_back(item.text());
+std::variant<bool, double, std::string> read_parameter(const YamlValue& value) {
+  const std::string text = value.text();
+  if (text == "true" || text == "false") {
+    return text == "true";
   }
-  return command_from(std::filesystem::path(value.file()).parent_path(), std::move(words));
+  double number = 0.0;
+  const char* const last = text.data() + text.size();
+  const auto [end, failed] = std::from_chars(text.data(), last, number);
+  if (failed == std::errc{} && end == last && std::isfinite(number)) {
+    return number;
+  }
+  return text;
+}
+
+ControllerParameters read_parameters(const YamlValue& value) {
+  ControllerParameters parameters;
+  YamlMap map(value);
+  for (const auto& name : map.keys()) {
+    const YamlValue given = map.require(name);
+    if (const auto wrong = validate_controller_name(name); !wrong.empty()) {
+      throw given.error("parameter `" + name + "`: use 1 to 100 letters, digits, `-` and `_`");
+    }
+    parameters[name] = read_parameter(given);
+  }
+  return parameters;
+}
+
+void write_parameters(YamlWriter& yaml, const ControllerParameters& parameters) {
+  yaml.key("parameters").begin_map();
+  for (const auto& [name, value] : parameters) {
+    yaml.key(name);
+    if (const auto* const number = std::get_if<double>(&value)) {
+      yaml.number(*number);
+    } else if (const auto* const text = std::get_if<std::string>(&value)) {
+      yaml.text(*text);
+    } else {
+      yaml.boolean(std::get<bool>(value));
+    }
+  }
+  yaml.end_map();
 }
 
 }  // namespace
@@ -101,6 +137,14 @@ std::string validate_controller_name(const std::string& name) {
   return !name.empty() && name.size() <= longest && std::ranges::all_of(name, fits)
              ? ""
              : "`" + name + "` is no name for a controller; use 1 to 100 letters, digits, `-` and `_`";
+}
+
+Command read_command(const YamlValue& value) {
+  Command words;
+  for (const auto& item : value.items()) {
+    words.push_back(item.text());
+  }
+  return command_from(std::filesystem::path(value.file()).parent_path(), std::move(words));
 }
 
 std::string read_controller(const YamlValue& value, const Command& coordinator) {
@@ -119,6 +163,12 @@ PlanningSettings read_planning(YamlMap& scenario, const std::optional<Command>& 
     out.coordinator = read_command(*command);
   }
   out.coordinator = coordinator.value_or(out.coordinator);
+  if (const auto parameters = scenario.find("parameters")) {
+    if (out.coordinator.empty() && !coordinator) {
+      throw parameters->error("`parameters` are of a `coordinator`; those of evbal's controllers are `balancing`");
+    }
+    out.parameters = out.coordinator.empty() ? ControllerParameters{} : read_parameters(*parameters);
+  }
   if (const auto controller = scenario.find("controller")) {
     out.controller = read_controller(*controller, out.coordinator);
   }
@@ -145,7 +195,11 @@ void write_planning(YamlWriter& yaml, const PlanningSettings& settings) {
   for (const auto& word : settings.coordinator) {
     yaml.text(word);
   }
-  yaml.end_list().key("engine").word(settings.engine.name);
+  yaml.end_list();
+  if (!settings.coordinator.empty()) {
+    write_parameters(yaml, settings.parameters);
+  }
+  yaml.key("engine").word(settings.engine.name);
   yaml.key("iterations").number(settings.engine.max_iterations).key("model");
   if (settings.model.empty()) {
     yaml.word(own_model);

@@ -8,27 +8,36 @@
 #include "coordinator/convex/engine.hpp"
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace evbal {
 
+/// Parameters of a controller of somebody else's, by name.
+using ControllerParameters = std::map<std::string, std::variant<bool, double, std::string>>;
+
 /// Who plans, with what, and how much work a plan may cost.
 struct PlanningSettings {
   std::string controller = "robust";  ///< its name
-  Command coordinator;                ///< program that plans in place of evbal-coordinator; empty: none
+  Command coordinator;                ///< command that plans in place of evbal-coordinator; empty: none
+  ControllerParameters parameters;    ///< that the coordinator hands to its controller
   EngineSettings engine;              ///< which, and its limits
   std::filesystem::path model;        ///< file that `evbal fit` wrote; empty: the one beside the city's pack
   bool innovation_test = false;       ///< whether sets are inflated where recent forecast errors leave them
   BalancingParameters balancing;      ///< prices and bounds of the problem
 };
 
-/// Reads the planning keys of a scenario: controller, coordinator, engine, iterations, model, innovation_test,
+/// Reads the planning keys of a scenario: controller, coordinator, parameters, engine, iterations, model, innovation_test,
 /// balancing. All may be left out; `model: pack`, the default, is the file beside the city's pack, another path is
 /// relative to the scenario's file. If `coordinator` is given, the scenario's is not used. Throws Error{bad_input} with
 /// file, line and reason.
 PlanningSettings read_planning(YamlMap& scenario, const std::optional<Command>& coordinator = {});
+
+/// Reads the command of a coordinator, a list of words; paths are relative to the file. Throws Error{bad_input}.
+Command read_command(const YamlValue& value);
 
 /// Reads the name of a controller: one of evbal's own or, with a coordinator in place of evbal's, whatever that one
 /// may know. Throws Error{bad_input}.

@@ -5,6 +5,7 @@
 #include "common/error.hpp"
 #include "common/open_file.hpp"
 #include "common/spawn.hpp"
+#include "experiments/conductor/last_words.hpp"
 #include "experiments/conductor/lossy_network.hpp"
 
 #include <fcntl.h>
@@ -13,8 +14,6 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <deque>
-#include <fstream>
 #include <thread>
 #include <utility>
 
@@ -144,21 +143,7 @@ Supervisor::Process& Supervisor::find(const std::string& name) {
 }
 
 std::string Supervisor::last_words(const std::string& name) const {
-  std::ifstream log(log_folder_ / (name + ".log"));
-  std::deque<std::string> last;
-  for (std::string line; std::getline(log, line);) {
-    if (line.find_first_not_of(" \t") != std::string::npos) {
-      last.push_back(line);
-    }
-    if (last.size() > 3) {
-      last.pop_front();
-    }
-  }
-  std::string words;
-  for (const auto& line : last) {
-    words += (words.empty() ? ": " : " | ") + line;
-  }
-  return words;
+  return evbal::last_words(log_folder_ / (name + ".log"));
 }
 
 }  // namespace evbal

@@ -160,6 +160,9 @@ std::string summary_json(const RunHeader& header, const DayMetrics& day, const R
   if (header.network) {
     json["network"] = network_json(*header.network, ticks, tick_seconds);
   }
+  if (!header.inputs.coordinator.empty()) {
+    json["coordinator_digest"] = header.inputs.coordinator;
+  }
   if (!header.dds_profiles.empty()) {
     json["dds_profiles"] = header.dds_profiles.string();
   }

@@ -11,7 +11,8 @@ namespace evbal {
 /// summary.json of a finished run, as text:
 ///
 ///     scenario, date, seed, controller, transport, digest, scenario_digest (of scenario.resolved.yaml)
-///     pack_digest, model_digest (of the files that the day was played with), program (version and build)
+///     pack_digest, model_digest (of the files that the day was played with), program (version and build);
+///     coordinator_digest, of the files of a coordinator in place of evbal's
 ///     steps, step_minutes, regions, fleet, fleet_conserved
 ///     totals       by the names of metrics/columns.hpp
 ///     solver       engine, solves, fallbacks, iterations, max_violation, max_gap, seconds in all,

@@ -4,23 +4,29 @@
 #include "common/files.hpp"
 #include "common/installation.hpp"
 #include "common/interrupt.hpp"
+#include "coordinator/bridge/external_controller.hpp"
 #include "experiments/conductor/dds_players.hpp"
 #include "experiments/conductor/inproc_players.hpp"
 #include "experiments/conductor/run_day.hpp"
 #include "experiments/record/row.hpp"
 #include "experiments/record/summary.hpp"
 #include "experiments/run/cross_check.hpp"
+#include "experiments/run/external_plans.hpp"
 #include "experiments/run/scenario_planner.hpp"
 #include "experiments/scenario/input_digests.hpp"
 
 #include <memory>
+#include <utility>
 
 namespace evbal {
 namespace {
 
-/// The coordinator's command with its program as it will be started. Throws Error{bad_input} if there is no such
-/// program.
-Command startable(Command command) {
+/// The coordinator's command with its program as it will be started on the bus or without one. Throws Error{bad_input}
+/// if there is no such program.
+Command startable(Command command, const std::string& transport) {
+  if (transport == "inproc") {
+    command = own_words(std::move(command));
+  }
   if (!command.empty()) {
     const auto program = find_program(command.front());
     if (program.empty()) {
@@ -32,6 +38,16 @@ Command startable(Command command) {
   return command;
 }
 
+InprocPlayers::Planner plans_of(const Scenario& scenario, const std::filesystem::path& folder) {
+  if (!scenario.planning.coordinator.empty()) {
+    startable(scenario.planning.coordinator, "inproc");
+    return external_plans(scenario, folder);
+  }
+  return [planner = planner_of(scenario)](const Tick& tick, const std::vector<Report>& reports) {
+    return planner->plan(tick, reports);
+  };
+}
+
 std::unique_ptr<Players> players_of(const Scenario& scenario, const std::filesystem::path& folder,
                                     const std::string& transport) {
   if (transport == "dds") {
@@ -39,16 +55,13 @@ std::unique_ptr<Players> players_of(const Scenario& scenario, const std::filesys
                                                .regions = scenario.world.city.size(),
                                                .regions_per_process = scenario.regions_per_process,
                                                .world = &scenario.world,
-                                               .coordinator = startable(scenario.planning.coordinator),
+                                               .coordinator = startable(scenario.planning.coordinator, transport),
                                                .network = scenario.network,
                                                .seed = scenario.world.seed,
                                                .profiles = scenario.dds_profiles});
   }
   return std::make_unique<InprocPlayers>(
-      scenario.world,
-      [planner = planner_of(scenario)](const Tick& tick, const std::vector<Report>& reports) {
-        return planner->plan(tick, reports);
-      },
+      scenario.world, plans_of(scenario, folder),
       [&scenario](int tick) { return faults_at(scenario.schedule, scenario.world.clock, tick); },
       scenario.regions_per_process);
 }
@@ -113,7 +126,7 @@ DayResult play_without_record(const Scenario& scenario, Players& players) {
 }  // namespace
 
 std::string own_transport(const Scenario& scenario) {
-  return scenario.planning.coordinator.empty() ? "inproc" : "dds";
+  return scenario.planning.coordinator.empty() ? "inproc" : scenario.transport;
 }
 
 Scenario with_controller(Scenario scenario, const std::string& controller) {
@@ -133,7 +146,7 @@ Scenario without_faults(Scenario scenario) {
 }
 
 void check_planning(const Scenario& scenario) {
-  if (startable(scenario.planning.coordinator).empty()) {
+  if (startable(scenario.planning.coordinator, scenario.transport).empty()) {
     planner_of(scenario);
   }
 }
@@ -143,7 +156,7 @@ RunResult record_day(const Scenario& scenario, const std::string& resolved, cons
   try {
     return play_and_record(scenario, resolved, folder, stage);
   } catch (const Error& error) {
-    if (scenario.planning.coordinator.empty()) {
+    if (scenario.planning.coordinator.empty() || stage.transport == "inproc") {
       throw;
     }
     throw Error(error.status(),

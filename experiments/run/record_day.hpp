@@ -17,7 +17,8 @@ struct Stage {
   std::function<void(const TickRecord&)> on_tick = {};  ///< is told of each tick that is over, if there is one
 };
 
-/// The transport that takes least: "inproc", or "dds" if the plans are made by another coordinator than evbal's.
+/// The transport that takes least: "inproc", or the scenario's if the plans are made by another coordinator than
+/// evbal's, which may know no other.
 std::string own_transport(const Scenario& scenario);
 
 /// The scenario for one of its controllers.

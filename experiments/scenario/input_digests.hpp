@@ -12,6 +12,7 @@ namespace evbal {
 struct InputDigests {
   std::string pack;   ///< of the city
   std::string model;  ///< empty where there is no such file, which another coordinator than evbal's may not need
+  std::string coordinator;  ///< of the files that its command names; empty without one
 };
 
 /// Throws Error{bad_input} if a file cannot be read.
@@ -19,6 +20,9 @@ InputDigests input_digests(const Scenario& scenario);
 
 /// Of a model's file; empty if there is none.
 std::string model_digest(const std::filesystem::path& file);
+
+/// Of the program and of the files that a coordinator's command names, in turn; empty without a command.
+std::string command_digest(const Command& coordinator);
 
 /// Of a city pack's files, with their names: all but README.md and model.json, which is an input of its own.
 std::string pack_digest(const std::filesystem::path& folder);

@@ -110,8 +110,6 @@ void check_transport(const Scenario& scenario) {
       throw bad_input(what + " the bus; with transport `" + scenario.transport + "` there is none, choose `dds`");
     }
   };
-  needs_bus(!scenario.planning.coordinator.empty(),
-            "coordinator `" + shown(scenario.planning.coordinator) + "`: takes part over");
   needs_bus(scenario.network.has_value(), "network: acts on");
   needs_bus(!scenario.dds_profiles.empty(), "dds_profiles: are of");
 }

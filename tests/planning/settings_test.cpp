@@ -74,6 +74,21 @@ TEST(Planning, ReadsTheCoordinatorsCommand) {
   EXPECT_THROW(settings_of("coordinator: bridge\n"), Error);
 }
 
+TEST(Planning, KeepsTheParametersOfACoordinator) {
+  const std::string given = "parameters: {reach: 3, share: 0.5, mode: near, bold: true}\n";
+  const PlanningSettings settings = settings_of("coordinator: [mine]\ncontroller: own\n" + given);
+  EXPECT_EQ(std::get<double>(settings.parameters.at("reach")), 3.0);
+  EXPECT_EQ(std::get<double>(settings.parameters.at("share")), 0.5);
+  EXPECT_EQ(std::get<std::string>(settings.parameters.at("mode")), "near");
+  EXPECT_EQ(std::get<bool>(settings.parameters.at("bold")), true);
+  EXPECT_EQ(settings_of(planning_yaml(settings)).parameters, settings.parameters);
+  EXPECT_THROW(settings_of(given), Error) << "of evbal's own controllers";
+  EXPECT_THROW(settings_of("coordinator: [mine]\ncontroller: own\nparameters: {a: [1]}\n"), Error);
+  EXPECT_THROW(settings_of("coordinator: [mine]\ncontroller: own\nparameters: {a b: 1}\n"), Error);
+  YamlMap map(YamlValue::parse(given, "a.yaml"));
+  EXPECT_TRUE(read_planning(map, Command{}).parameters.empty()) << "of a scenario whose coordinator is not used";
+}
+
 TEST(Planning, FindsTheCitysOwnModel) {
   City city;
   city.folder = "/cities/x";

@@ -92,7 +92,7 @@ TEST_F(TuningOfToy, GivesEachVariantTheSameDaysAndKeepsTheBest) {
   const Folder folder;
   const Tuned tuned = read_tuned(folder.write("tuned.yaml", tuned_yaml(winners(tuning, contests))));
   ASSERT_EQ(tuned.size(), 2U);
-  EXPECT_EQ(tuned.at({"base", "t"}).controller, "turnover");
+  EXPECT_EQ(tuned.at({"base", "t"}).controller.name, "turnover");
   EXPECT_EQ(tuned.at({"base", "t"}).settings.at(0).value.number(), 5.657);
 }
 

@@ -1,6 +1,5 @@
 #include "experiments/study/design/sweep.hpp"
 
-#include "coordinator/balancing/controllers.hpp"
 #include "experiments/study/design/study_file.hpp"
 #include "experiments/study/design/tuned.hpp"
 
@@ -23,7 +22,7 @@ struct Axis {
 struct Variant {
   YamlValue place;
   std::string name{};
-  std::string controller{};            ///< empty: that which was tuned
+  ChosenController controller{};       ///< without a name: that which was tuned
   std::string tuned{};                 ///< name in what was tuned; empty if it is not
   std::vector<Axis> settings{};        ///< in place of what was tuned, or beside it
   std::vector<Axis> factors{};         ///< of what was tuned
@@ -51,11 +50,11 @@ Variant read_variant(const YamlValue& value) {
   Variant variant{.place = value};
   const auto tuned = map.find("tuned");
   variant.tuned = tuned ? plain_name(*tuned) : "";
-  if (const auto controller = tuned ? map.find("controller") : map.require("controller")) {
-    variant.controller = controller_names()[controller->one_of(controller_names())];
+  if (!tuned || map.find("controller")) {
+    variant.controller = read_chosen(map);
   }
   const auto name = map.find("name");
-  variant.name = name ? plain_name(*name) : tuned ? variant.tuned : variant.controller;
+  variant.name = name ? plain_name(*name) : tuned ? variant.tuned : variant.controller.name;
   variant.settings = read_axes(map.find("settings"));
   const auto factors = map.find("factors");
   if (factors && !tuned) {
@@ -115,7 +114,7 @@ std::vector<std::string> tuned_for_scenario(const Tuned& all_tuned, const std::s
 
 /// What a variant is in one scenario.
 struct InScenario {
-  std::string controller;
+  ChosenController controller;
   std::vector<Point> points;  ///< every combination of its settings
 };
 
@@ -128,7 +127,7 @@ InScenario in_scenario(const Variant& variant, const std::string& scenario, cons
                                 did_you_mean(variant.tuned, tuned_for_scenario(all_tuned, scenario)));
     }
     result.points = {found->second.settings};
-    if (result.controller.empty()) {
+    if (result.controller.name.empty()) {
       result.controller = found->second.controller;
     }
   }
@@ -193,11 +192,12 @@ fs::path tuning_of(const fs::path& file) {
   return tuning ? file.parent_path() / tuning->text() : fs::path();
 }
 
-SweptDay day_of(const Replication& replication, const std::string& variant, const std::string& controller,
+SweptDay day_of(const Replication& replication, const std::string& variant, const ChosenController& controller,
                 const std::vector<Setting>& settings) {
   SweptDay day{.scenario = replication.scenario,
                .variant = variant,
-               .controller = controller,
+               .controller = controller.name,
+               .coordinator = controller.coordinator,
                .faults = replication.faults,
                .day = replication.day,
                .seed = replication.seed,
@@ -210,7 +210,8 @@ SweptDay day_of(const Replication& replication, const std::string& variant, cons
 }
 
 Scenario scenario_of(const SweptDay& day) {
-  Scenario scenario = read_scenario(day.yaml, {.controller = day.controller, .transport = "inproc"});
+  Scenario scenario =
+      read_scenario(day.yaml, {.controller = day.controller, .coordinator = day.coordinator, .transport = "inproc"});
   if (scenario.draws.size() > 1) {
     throw day.yaml.error(
         "a sweep draws one schedule of faults for each day and seed; leave its `runs` out and give more "

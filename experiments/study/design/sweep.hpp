@@ -21,12 +21,13 @@ struct SweptDay {
   std::string scenario{};    ///< its name in the sweep
   std::string variant{};     ///< its name
   std::string controller{};  ///< its name
+  Command coordinator{};     ///< that plans in place of evbal's; empty: none
   std::string faults;        ///< name of the schedule; empty: the scenario's own
   /// ISO 8601.
   std::string day;
   std::uint64_t seed = 0;                         ///< of the run
   std::map<std::string, std::string> settings{};  ///< of the variant, by path
-  YamlValue yaml;                                 ///< the scenario with all of these, but for the controller
+  YamlValue yaml;                                 ///< the scenario with all of these, but for who plans
 };
 
 /// The days of a sweep, and its page.
@@ -50,7 +51,7 @@ Sweep read_sweep(const std::filesystem::path& file, const SweepReading& reading 
 std::filesystem::path tuning_of(const std::filesystem::path& file);
 
 /// The day of a variant on a replication.
-SweptDay day_of(const Replication& replication, const std::string& variant, const std::string& controller,
+SweptDay day_of(const Replication& replication, const std::string& variant, const ChosenController& controller,
                 const std::vector<Setting>& settings);
 
 /// The day's scenario: one controller, one process, nothing expected. Throws Error{bad_input}.

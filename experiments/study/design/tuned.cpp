@@ -1,7 +1,6 @@
 #include "experiments/study/design/tuned.hpp"
 
 #include "common/yaml_writer.hpp"
-#include "coordinator/balancing/controllers.hpp"
 #include "experiments/study/design/study_file.hpp"
 
 namespace evbal {
@@ -17,7 +16,7 @@ Tuned read_tuned(const std::filesystem::path& file) {
     for (const auto& name : variants.keys()) {
       YamlMap variant(variants.require(name));
       TunedVariant& entry = tuned[{scenario, name}];
-      entry.controller = controller_names()[variant.require("controller").one_of(controller_names())];
+      entry.controller = read_chosen(variant);
       YamlMap settings(variant.require("settings"));
       variant.finish();
       for (const auto& path : settings.keys()) {
@@ -29,6 +28,20 @@ Tuned read_tuned(const std::filesystem::path& file) {
   return tuned;
 }
 
+namespace {
+
+void write_coordinator(YamlWriter& yaml, const Command& coordinator) {
+  if (!coordinator.empty()) {
+    yaml.key("coordinator").begin_list(YamlWriter::Layout::one_line);
+    for (const auto& word : coordinator) {
+      yaml.text(word);
+    }
+    yaml.end_list();
+  }
+}
+
+}  // namespace
+
 std::string tuned_yaml(const Tuned& tuned) {
   constexpr auto one_line = YamlWriter::Layout::one_line;
   YamlWriter yaml;
@@ -37,7 +50,8 @@ std::string tuned_yaml(const Tuned& tuned) {
     const std::string& scenario = variant->first.first;
     yaml.key(scenario).begin_map();
     for (; variant != tuned.end() && variant->first.first == scenario; ++variant) {
-      yaml.key(variant->first.second).begin_map(one_line).key("controller").word(variant->second.controller);
+      yaml.key(variant->first.second).begin_map(one_line).key("controller").word(variant->second.controller.name);
+      write_coordinator(yaml, variant->second.controller.coordinator);
       yaml.key("settings").begin_map();
       for (const auto& [path, value] : variant->second.settings) {
         yaml.key(path).value(value);

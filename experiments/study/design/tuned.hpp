@@ -13,7 +13,7 @@ namespace evbal {
 
 /// One tuned variant.
 struct TunedVariant {
-  std::string controller;         ///< its name
+  ChosenController controller;    ///< who plans
   std::vector<Setting> settings;  ///< in place of the scenario's
 };
 

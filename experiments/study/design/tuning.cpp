@@ -3,7 +3,6 @@
 #include "common/contract.hpp"
 #include "common/decimal.hpp"
 #include "common/table_text.hpp"
-#include "coordinator/balancing/controllers.hpp"
 #include "experiments/study/design/study_file.hpp"
 
 #include <algorithm>
@@ -49,9 +48,9 @@ SearchAxis read_axis(const std::string& path, const YamlValue& value) {
 Tunable read_tunable(const YamlValue& value) {
   YamlMap map(value);
   Tunable variant;
-  variant.controller = controller_names()[map.require("controller").one_of(controller_names())];
+  variant.controller = read_chosen(map);
   const auto name = map.find("name");
-  variant.name = name ? plain_name(*name) : variant.controller;
+  variant.name = name ? plain_name(*name) : variant.controller.name;
   if (const auto given = map.find("settings")) {
     YamlMap settings(*given);
     for (const auto& path : settings.keys()) {

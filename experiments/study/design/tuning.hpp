@@ -25,7 +25,7 @@ struct SearchAxis {
 /// A controller and the settings that are searched.
 struct Tunable {
   std::string name;                ///< of the variant
-  std::string controller;          ///< its name
+  ChosenController controller;     ///< who plans
   std::vector<Setting> settings;   ///< of all of its candidates
   std::vector<SearchAxis> search;  ///< what is searched, and where
 };

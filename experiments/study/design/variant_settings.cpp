@@ -1,5 +1,6 @@
 #include "experiments/study/design/variant_settings.hpp"
 
+#include "coordinator/planning/settings.hpp"
 #include "experiments/metrics/metrics.hpp"
 
 #include <algorithm>
@@ -7,6 +8,15 @@
 #include <cstdio>
 
 namespace evbal {
+
+ChosenController read_chosen(YamlMap& variant) {
+  ChosenController chosen;
+  if (const auto coordinator = variant.find("coordinator")) {
+    chosen.coordinator = read_command(*coordinator);
+  }
+  chosen.name = read_controller(variant.require("controller"), chosen.coordinator);
+  return chosen;
+}
 
 void put(std::vector<Setting>& settings, const Setting& setting) {
   const auto there =
@@ -27,9 +37,9 @@ void note_paths(const std::vector<Setting>& settings, std::vector<std::string>& 
 }
 
 void refuse_path(const YamlValue& value, const std::string& path) {
-  static constexpr std::array own = {
-      "schema", "name",      "day",    "seed",        "controller",         "controllers",
-      "faults", "transport", "expect", "cross_check", "regions_per_process"};
+  static constexpr std::array own = {"schema",     "name",        "day",         "seed",
+                                     "controller", "controllers", "coordinator", "faults",
+                                     "transport",  "expect",      "cross_check", "regions_per_process"};
   const std::vector<std::string> metrics = metric_names();
   if (std::find(own.begin(), own.end(), path.substr(0, path.find('.'))) != own.end() ||
       std::find(metrics.begin(), metrics.end(), path) != metrics.end()) {

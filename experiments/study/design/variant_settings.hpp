@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/command.hpp"
 #include "common/yaml.hpp"
 
 #include <string>
@@ -13,6 +14,15 @@ struct Setting {
   std::string path;  ///< keys with dots between them
   YamlValue value;   ///< of the last key
 };
+
+/// Who plans in a variant.
+struct ChosenController {
+  std::string name{};     ///< of the controller
+  Command coordinator{};  ///< that knows it; empty: evbal's
+};
+
+/// Reads the keys `controller`, which must be there, and `coordinator` of a variant. Throws Error{bad_input}.
+ChosenController read_chosen(YamlMap& variant);
 
 /// Sets `path`, in place of a setting of it that is there.
 void put(std::vector<Setting>& settings, const Setting& setting);

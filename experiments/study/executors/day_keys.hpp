@@ -11,7 +11,8 @@
 namespace evbal {
 
 /// Gives days their keys. A key is a fingerprint of all that a day's result comes from: the resolved scenario, the
-/// city pack, the model, and the version of evbal. Files are read once, and taken to stay as they are.
+/// city pack, the model, a coordinator's files, and the version of evbal. Files are read once, and taken to stay as
+/// they are.
 class DayKeys {
  public:
   /// The key of a scenario under one controller. Throws Error{bad_input} if a file cannot be read.
@@ -20,10 +21,11 @@ class DayKeys {
  private:
   std::map<std::filesystem::path, std::string> packs_;   ///< digests, by folder
   std::map<std::filesystem::path, std::string> models_;  ///< digests, by file
+  std::map<Command, std::string> commands_;              ///< digests of coordinators
 };
 
-/// The key of each of the sweep's days. Throws Error{bad_input} if a scenario is wrong or needs a coordinator of its
-/// own, Error{run_failed} if interrupted.
+/// The key of each of the sweep's days. Throws Error{bad_input} if a scenario is wrong, Error{run_failed} if
+/// interrupted.
 std::vector<std::string> keys_of(const Sweep& sweep);
 
 }  // namespace evbal
