@@ -2,7 +2,7 @@
 # faults, scenarios and sweeps, examples, pages, and what find_package(evbal) reads. The build tree has its share/evbal
 # too, since programs look for it above themselves.
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/share/evbal)
-foreach(shipped cities faults scenarios studies)
+foreach(shipped benchmarks cities faults scenarios studies)
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/experiments/${shipped} ${PROJECT_BINARY_DIR}/share/evbal/${shipped} SYMBOLIC)
   install(DIRECTORY experiments/${shipped} DESTINATION share/evbal)
 endforeach()

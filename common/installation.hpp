@@ -13,8 +13,8 @@ std::filesystem::path own_folder();
 /// that may be executed; folders that cannot be read are passed over.
 std::filesystem::path find_program(const std::string& name);
 
-/// What is shipped with the programs, "cities", "faults", "scenarios" or "studies": the folder share/evbal/NAME that
-/// stands nearest above this program, in an installation as in a build tree; empty if there is none.
+/// What is shipped with the programs, such as "cities" or "scenarios": the folder share/evbal/NAME that stands nearest
+/// above this program, in an installation as in a build tree; empty if there is none.
 std::filesystem::path shipped_folder(const std::string& name);
 
 /// Names of what is shipped in the folder NAME, sorted.

@@ -27,6 +27,7 @@ enum class Purpose : std::uint32_t {
   lost_packet = 17,        ///< what the network loses below the middleware
   thinned_count = 18,      ///< which of the trips on record a pack takes
   ingested_day = 19,       ///< trips of a day, where records have means only
+  verified_day = 20,       ///< days of a study that are played again
 };
 
 /// The place of a draw: who draws, when, and for which of several like things.

@@ -2,11 +2,11 @@
 
 #include "common/decimal.hpp"
 #include "common/error.hpp"
-#include "common/files.hpp"
 #include "common/interrupt.hpp"
 #include "experiments/bound/bound_file.hpp"
 #include "experiments/progress/live_view.hpp"
 #include "tools/evbal/console_table.hpp"
+#include "tools/evbal/kept_bound.hpp"
 #include "tools/evbal/runs_folder.hpp"
 #include "tools/evbal/scenario_options.hpp"
 
@@ -100,14 +100,6 @@ void print_bound(const DayBound& bound, const Scenario& scenario, const fs::path
               bound_table(bound).c_str(), file.c_str());
 }
 
-/// Whether a bound has all that is asked for.
-bool has_all(const DayBound& bound, const std::vector<double>& prices) {
-  return std::all_of(prices.begin(), prices.end(), [&](double price) {
-    return std::any_of(bound.points.begin(), bound.points.end(),
-                       [&](const BoundPoint& point) { return point.price == price && point.complete(); });
-  });
-}
-
 void compute_bound(const BoundArguments& arguments) {
   catch_interrupts();
   const Scenario scenario = read_scenario(find_scenario(arguments.options.scenario), arguments.options.overrides);
@@ -115,17 +107,10 @@ void compute_bound(const BoundArguments& arguments) {
     throw bad_input(arguments.options.scenario.string() + ": has " + std::to_string(scenario.draws.size()) +
                     " draws of its faults, each another day; give the scenario.resolved.yaml of one");
   }
-  const fs::path file = bound_file(bounds_folder(), bound_key(scenario));
-  std::optional<DayBound> known = read_bound(file);
-  if (!known || !has_all(*known, arguments.prices)) {
-    BoundClock clock(arguments);
-    const DayBound found = day_bound(bound_day(scenario), arguments.prices,
-                                     [&](const BoundProgress& progress) { return clock.is_over(progress); });
-    known = known ? merged(*known, found) : found;
-    fs::create_directories(file.parent_path());
-    write_file(file, bound_csv(*known));
-  }
-  print_bound(*known, scenario, file);
+  BoundClock clock(arguments);
+  const DayBound bound =
+      kept_bound(scenario, arguments.prices, [&](const BoundProgress& progress) { return clock.is_over(progress); });
+  print_bound(bound, scenario, bound_file(bounds_folder(), bound_key(scenario)));
 }
 
 std::string prices_complaint(const std::string& text) {

@@ -64,11 +64,11 @@ class BoundKeys {
   std::map<std::pair<std::string, std::uint64_t>, std::string> first_;
 };
 
-/// The corners of a day's bound as days.
-std::vector<FinishedDay> points_of(const DayBound& bound, FinishedDay day) {
+}  // namespace
+
+std::vector<FinishedDay> bound_points(std::vector<Driving> corners, FinishedDay day) {
   day.variant = bound_variant;
   day.controller = bound_variant;
-  std::vector<Driving> corners = bound_corners(bound);
   corners.push_back({farther_than_any_day, corners.back().lost});
   std::vector<FinishedDay> points;
   for (const Driving& corner : corners) {
@@ -77,8 +77,6 @@ std::vector<FinishedDay> points_of(const DayBound& bound, FinishedDay day) {
   }
   return points;
 }
-
-}  // namespace
 
 std::vector<FinishedDay> bounded_days(const std::filesystem::path& sweep_file, const std::vector<FinishedDay>& days) {
   BoundKeys keys(YamlValue::parse(read_origin(sweep_file).scenario, sweep_file.string()));
@@ -91,7 +89,7 @@ std::vector<FinishedDay> bounded_days(const std::filesystem::path& sweep_file, c
     const std::string& key = keys.of(day);
     const auto bound = seen.insert(key).second ? read_bound(bound_file(bounds_folder(), key)) : std::nullopt;
     if (bound) {
-      const auto points = points_of(*bound, day);
+      const auto points = bound_points(bound_corners(*bound), day);
       bounded.insert(bounded.end(), points.begin(), points.end());
     }
   }

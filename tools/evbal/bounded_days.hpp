@@ -1,5 +1,6 @@
 #pragma once
 
+#include "experiments/bound/bound_front.hpp"
 #include "experiments/study/design/finished_day.hpp"
 
 #include <filesystem>
@@ -9,6 +10,10 @@ namespace evbal {
 
 /// The name under which the bound stands among the variants of a sweep.
 inline constexpr const char* bound_variant = "bound";
+
+/// The corners of a day's bound (bound_corners) as days like `day`: settings of that variant, of which idle_km and lost
+/// are known.
+std::vector<FinishedDay> bound_points(std::vector<Driving> corners, FinishedDay day);
 
 /// The bounds that are kept for days of a sweep, as if they were days of one more variant: a setting for each corner of
 /// a day's bound, of which idle_km and lost are known. `days` are those of `sweep_file`. Only days of its first

@@ -45,6 +45,7 @@ Names values_of(const CLI::Option& option) {
       {"CITY", pack_names},
       {"SCENARIO", [] { return shipped_names("scenarios"); }},
       {"SWEEP", [] { return shipped_names("studies"); }},
+      {"BENCHMARK", [] { return shipped_names("benchmarks"); }},
       {"TUNING", [] { return shipped_names("studies"); }},
       {"--at", metric_words},
       {"--controller", controller_names},

@@ -16,6 +16,7 @@
 #include "tools/evbal/run_command.hpp"
 #include "tools/evbal/show_command.hpp"
 #include "tools/evbal/slurm_task_command.hpp"
+#include "tools/evbal/study_command.hpp"
 #include "tools/evbal/sweep_command.hpp"
 #include "tools/evbal/tune_command.hpp"
 #include "tools/evbal/usage_error.hpp"
@@ -51,6 +52,7 @@ int main(int argc, char** argv) {
   evbal::add_list_command(app);
   evbal::add_sweep_command(app);
   evbal::add_tune_command(app);
+  evbal::add_study_command(app);
   evbal::add_slurm_task_command(app);
   evbal::add_compare_command(app);
   evbal::add_bound_command(app);

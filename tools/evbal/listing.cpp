@@ -52,7 +52,7 @@ Listing files(const std::string& folder) {
 }  // namespace
 
 std::vector<std::string> listed_kinds() {
-  return {"cities", "scenarios", "controllers", "metrics", "faults", "studies"};
+  return {"cities", "scenarios", "controllers", "metrics", "faults", "studies", "benchmarks"};
 }
 
 Listing listing_of(const std::string& kind) {

@@ -20,13 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct SweepArguments {
-  fs::path sweep;  ///< as given
-  std::string out;
-  bool quick = false;
-  PlayingOptions options;
-};
-
 fs::path folder_of(const SweepArguments& arguments) {
   const std::string name = arguments.sweep.stem().string() + (arguments.quick ? "-quick" : "");
   return arguments.out.empty() ? fs::path("runs") / name : fs::path(arguments.out);
@@ -38,7 +31,9 @@ fs::path tuned_first(const SweepArguments& arguments) {
   return tuning.empty() ? fs::path() : tune({tuning, folder_of(arguments), arguments.quick, arguments.options});
 }
 
-void sweep(const SweepArguments& arguments) {
+}  // namespace
+
+fs::path sweep(const SweepArguments& arguments) {
   catch_interrupts();
   const fs::path file = find_study(arguments.sweep);
   const Sweep sweep = read_sweep(file, {arguments.quick, tuned_first(arguments)});
@@ -59,10 +54,8 @@ void sweep(const SweepArguments& arguments) {
   if (sweep.page) {
     write_file(folder.path() / "page.md", page_markdown(*sweep.page, read_finished(folder.file()), command));
   }
-  std::printf("%s\n", (folder.path() / "days.csv").c_str());
+  return folder.path() / "days.csv";
 }
-
-}  // namespace
 
 void add_sweep_command(CLI::App& app) {
   const auto arguments = std::make_shared<SweepArguments>();
@@ -71,7 +64,7 @@ void add_sweep_command(CLI::App& app) {
   command->add_option("--out", arguments->out, "Directory, new or of this sweep; otherwise one under runs/");
   command->add_flag("--quick", arguments->quick, "Two days and one seed only, to see every part");
   add_playing_options(*command, arguments->options);
-  command->callback([arguments] { sweep(*arguments); });
+  command->callback([arguments] { std::printf("%s\n", sweep(*arguments).c_str()); });
 }
 
 }  // namespace evbal

@@ -18,6 +18,7 @@ struct FinishedDay {
   std::uint64_t seed = 0;                         ///< of the run
   std::map<std::string, std::string> settings{};  ///< of the variant, by path
   std::map<std::string, double> totals{};         ///< by finished_metrics()
+  std::string digest{};                           ///< of all that was said
 };
 
 /// The metrics that add up over a day's steps.

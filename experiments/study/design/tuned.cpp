@@ -28,20 +28,6 @@ Tuned read_tuned(const std::filesystem::path& file) {
   return tuned;
 }
 
-namespace {
-
-void write_coordinator(YamlWriter& yaml, const Command& coordinator) {
-  if (!coordinator.empty()) {
-    yaml.key("coordinator").begin_list(YamlWriter::Layout::one_line);
-    for (const auto& word : coordinator) {
-      yaml.text(word);
-    }
-    yaml.end_list();
-  }
-}
-
-}  // namespace
-
 std::string tuned_yaml(const Tuned& tuned) {
   constexpr auto one_line = YamlWriter::Layout::one_line;
   YamlWriter yaml;

@@ -18,6 +18,16 @@ ChosenController read_chosen(YamlMap& variant) {
   return chosen;
 }
 
+void write_coordinator(YamlWriter& yaml, const Command& coordinator) {
+  if (!coordinator.empty()) {
+    yaml.key("coordinator").begin_list(YamlWriter::Layout::one_line);
+    for (const auto& word : coordinator) {
+      yaml.text(word);
+    }
+    yaml.end_list();
+  }
+}
+
 void put(std::vector<Setting>& settings, const Setting& setting) {
   const auto there =
       std::find_if(settings.begin(), settings.end(), [&](const Setting& old) { return old.path == setting.path; });

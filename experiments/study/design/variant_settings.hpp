@@ -2,6 +2,7 @@
 
 #include "common/command.hpp"
 #include "common/yaml.hpp"
+#include "common/yaml_writer.hpp"
 
 #include <string>
 #include <vector>
@@ -23,6 +24,9 @@ struct ChosenController {
 
 /// Reads the keys `controller`, which must be there, and `coordinator` of a variant. Throws Error{bad_input}.
 ChosenController read_chosen(YamlMap& variant);
+
+/// Writes the key `coordinator` of a variant that has one.
+void write_coordinator(YamlWriter& yaml, const Command& coordinator);
 
 /// Sets `path`, in place of a setting of it that is there.
 void put(std::vector<Setting>& settings, const Setting& setting);

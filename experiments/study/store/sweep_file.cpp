@@ -87,6 +87,7 @@ FinishedDay finished_day(SQLite::Statement& row) {
   for (const auto& metric : finished_metrics()) {
     day.totals[metric] = row.getColumn(metric.c_str()).getDouble();
   }
+  day.digest = row.getColumn("digest").getString();
   return day;
 }
 
