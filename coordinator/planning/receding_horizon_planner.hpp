@@ -14,6 +14,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace evbal {
@@ -42,6 +43,12 @@ class RecedingHorizonPlanner {
   /// The plan of `tick`, which is due; `reports` are what came, in any order. To be called for every tick at
   /// which a plan is due, in turn: forecasts live on it. The Origin is left to the process that publishes the plan.
   Plan plan(const Tick& tick, const std::vector<Report>& reports);
+
+  /// In place of plan() at a tick that another plans: takes the reports. follow() comes next.
+  void hear(const Tick& tick, const std::vector<Report>& reports) { observe(tick, reports); }
+
+  /// After plan() or hear() at the same tick: these are the moves that were really planned.
+  void follow(std::vector<Move> moves) { last_.moves = std::move(moves); }
 
   /// What later plans depend on beside the reports, as bytes.
   std::string memory() const;

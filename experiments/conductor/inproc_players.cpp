@@ -8,6 +8,14 @@
 
 namespace evbal {
 
+std::vector<Report> heard_in_time(const Tick& tick, const std::vector<Report>& reports) {
+  std::vector<Report> heard;
+  std::copy_if(reports.begin(), reports.end(), std::back_inserter(heard), [&](const Report& report) {
+    return std::find(tick.unheard.begin(), tick.unheard.end(), report.region) == tick.unheard.end();
+  });
+  return heard;
+}
+
 InprocPlayers::InprocPlayers(const World& world, Planner planner, Injector injector, int regions_per_process)
     : plants_(make_plants(world)),
       planner_(std::move(planner)),
@@ -18,7 +26,7 @@ Faults InprocPlayers::faults(int tick) {
   return with_origin([&] { return injector_(tick); });
 }
 
-Exchange InprocPlayers::play(const Tick& tick) {
+Exchange InprocPlayers::report(const Tick& tick) {
   Exchange said;
   for (const int region : tick.due) {
     plants_[region].begin(tick);
@@ -30,16 +38,22 @@ Exchange InprocPlayers::play(const Tick& tick) {
   }
   if (tick.unattended) {
     said.reports.clear();
-  } else if (tick.plan_due) {
-    std::vector<Report> heard;
-    std::copy_if(said.reports.begin(), said.reports.end(), std::back_inserter(heard), [&](const Report& report) {
-      return std::find(tick.unheard.begin(), tick.unheard.end(), report.region) == tick.unheard.end();
-    });
-    said.plan = with_origin([&] { return planner_(tick, heard); });
   }
+  return said;
+}
+
+void InprocPlayers::live(const Tick& tick, Exchange& said) {
   for (const int region : tick.due) {
     said.departures.push_back(with_origin([&] { return plants_[region].live(said.plan ? &*said.plan : nullptr); }));
   }
+}
+
+Exchange InprocPlayers::play(const Tick& tick) {
+  Exchange said = report(tick);
+  if (tick.plan_due && !tick.unattended) {
+    said.plan = with_origin([&] { return planner_(tick, heard_in_time(tick, said.reports)); });
+  }
+  live(tick, said);
   return said;
 }
 

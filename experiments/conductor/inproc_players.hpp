@@ -8,6 +8,9 @@
 
 namespace evbal {
 
+/// The reports that reach the coordinator in time.
+std::vector<Report> heard_in_time(const Tick& tick, const std::vector<Report>& reports);
+
 /// The others as objects in this process, by direct calls.
 class InprocPlayers : public Players {
  public:
@@ -22,6 +25,14 @@ class InprocPlayers : public Players {
 
   Faults faults(int tick) override;
   Exchange play(const Tick& tick) override;
+
+  /// The first half of play(), up to the reports. Where a plan is due and the tick is not `unattended`, the plan is to
+  /// be added; then comes live().
+  Exchange report(const Tick& tick);
+
+  /// The second half of play(): the regions live through the tick and say so.
+  void live(const Tick& tick, Exchange& said);
+
   int regions_per_process() const override { return regions_per_process_; }
 
   /// The regions as they stand.

@@ -119,11 +119,15 @@ RunResult play_and_record(const Scenario& scenario, const std::string& resolved,
 DayResult play_without_record(const Scenario& scenario, Players& players) {
   std::vector<TickRecord> ticks;
   run_day(scenario.world, players, [&](const TickRecord& tick) { ticks.push_back(tick); });
-  return {
-      .metrics = measure(frame_of(scenario), ticks), .digest = digest_of(ticks), .fallbacks = count_fallbacks(ticks)};
+  return result_of(scenario, ticks);
 }
 
 }  // namespace
+
+DayResult result_of(const Scenario& scenario, const std::vector<TickRecord>& ticks) {
+  return {
+      .metrics = measure(frame_of(scenario), ticks), .digest = digest_of(ticks), .fallbacks = count_fallbacks(ticks)};
+}
 
 std::string own_transport(const Scenario& scenario) {
   return scenario.planning.coordinator.empty() ? "inproc" : scenario.transport;

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace evbal {
 
@@ -36,6 +37,9 @@ void check_planning(const Scenario& scenario);
 /// record marked as incomplete.
 RunResult record_day(const Scenario& scenario, const std::string& resolved, const std::filesystem::path& folder,
                      const Stage& stage);
+
+/// What the ticks of a whole day of the scenario came to.
+DayResult result_of(const Scenario& scenario, const std::vector<TickRecord>& ticks);
 
 /// Plays the day in this process without a record, and gives its result. Throws Error{run_failed}.
 DayResult play_day(const Scenario& scenario);
