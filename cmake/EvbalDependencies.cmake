@@ -31,9 +31,15 @@ endif()
 
 # COIN-OR ships no CMake configuration. Ipopt 3.11.9 includes <cstddef> only if it is told that there is one.
 # Debian 13's shared libipopt is linked to a MUMPS with Open MPI, which catches signals as soon as it is loaded and leaves
-# files in /tmp and /dev/shm. So the static one is taken, with the MUMPS that needs no MPI, as Debian 12's shared one is.
+# files in /tmp and /dev/shm. So the static one is taken there, with the MUMPS that needs no MPI, as Debian 12's shared one
+# is; Debian 12's static one cannot be part of the Python module.
 find_path(IPOPT_INCLUDE_DIR IpTNLP.hpp PATH_SUFFIXES coin-or coin REQUIRED)
-find_library(IPOPT_STATIC_LIBRARY libipopt.a REQUIRED)
+pkg_check_modules(IPOPT REQUIRED ipopt)
+if(IPOPT_VERSION VERSION_LESS 3.14)
+  find_library(IPOPT_LIBRARY ipopt REQUIRED)
+else()
+  find_library(IPOPT_LIBRARY libipopt.a REQUIRED)
+endif()
 find_library(MUMPS_LIBRARY dmumps_seq REQUIRED)
 find_library(LAPACK_LIBRARY lapack REQUIRED)
 find_library(BLAS_LIBRARY blas REQUIRED)
@@ -44,7 +50,7 @@ add_library(evbal_ipopt INTERFACE)
 add_library(evbal::ipopt ALIAS evbal_ipopt)
 target_include_directories(evbal_ipopt SYSTEM INTERFACE ${IPOPT_INCLUDE_DIR})
 target_compile_definitions(evbal_ipopt INTERFACE HAVE_CSTDDEF)
-target_link_libraries(evbal_ipopt INTERFACE ${IPOPT_STATIC_LIBRARY} ${MUMPS_LIBRARY} ${LAPACK_LIBRARY} ${BLAS_LIBRARY})
+target_link_libraries(evbal_ipopt INTERFACE ${IPOPT_LIBRARY} ${MUMPS_LIBRARY} ${LAPACK_LIBRARY} ${BLAS_LIBRARY})
 add_library(evbal_clp INTERFACE)
 add_library(evbal::clp ALIAS evbal_clp)
 target_include_directories(evbal_clp SYSTEM INTERFACE ${CLP_INCLUDE_DIR})

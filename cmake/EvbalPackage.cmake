@@ -1,7 +1,8 @@
-# Two packages for Debian, made by `cpack` (tools/package): evbal to play days, 200 MB with what it needs; evbal-dev to build
-# controllers on its libraries, 670 MB more, since that takes a compiler and the headers of all dependencies.
+# Packages for Debian, made by `cpack` (tools/package): evbal to play days, 200 MB with what it needs; evbal-dev to build
+# controllers on its libraries, 670 MB more, since that takes a compiler and the headers of all dependencies; python3-evbal
+# to step days from Python.
 
-# Debian wants for each package: its changes, compressed, and whose it is on what terms. evbal-dev shares evbal's folder.
+# Debian wants for each package: its changes, compressed, and whose it is on what terms. the others share evbal's folder.
 set(deb ${PROJECT_BINARY_DIR}/deb)
 file(MAKE_DIRECTORY ${deb})
 set(copyright ${PROJECT_SOURCE_DIR}/tools/deb/copyright /usr/share/doc/libjs-d3/copyright /usr/share/doc/coinor-libipopt-dev/copyright)
@@ -13,6 +14,10 @@ add_custom_target(deb ALL DEPENDS ${deb}/changelog.gz ${deb}/copyright)
 file(CREATE_LINK evbal ${deb}/evbal-dev SYMBOLIC)
 install(FILES ${deb}/changelog.gz ${deb}/copyright DESTINATION share/doc/evbal)
 install(FILES ${deb}/evbal-dev DESTINATION share/doc COMPONENT dev)
+if(TARGET evbal-python)
+  file(CREATE_LINK evbal ${deb}/python3-evbal SYMBOLIC)
+  install(FILES ${deb}/python3-evbal DESTINATION share/doc COMPONENT python)
+endif()
 
 # What building takes of the packages to build and run.
 file(STRINGS tools/packages-run.txt needed_to_build REGEX "-dev$|^(cmake|g[+][+]|ninja-build|pkgconf)$")
@@ -39,4 +44,12 @@ set(CPACK_DEBIAN_EVBAL_PACKAGE_SUGGESTS "coinor-csdp, evbal-dev, slurm-client")
 set(CPACK_DEBIAN_DEV_DESCRIPTION
   "Libraries, headers and a CMake package, to build controllers and tools of one's own on evbal.")
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "evbal (= ${PROJECT_VERSION}), ${needed_to_build}")
+math(EXPR next_python "${Python3_VERSION_MINOR} + 1")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-evbal)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_DESCRIPTION
+  "The Python package evbal: days of the fleet as environments to learn in, runs and sweeps as arrays.")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+  "evbal (= ${PROJECT_VERSION}), python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next_python}), python3-numpy")
 include(CPack)

@@ -35,12 +35,15 @@ endfunction()
 evbal_install(evbal_options)
 
 # evbal_library(name SOURCES ... [PUBLIC libs...] [PRIVATE libs...]): a static library evbal::name, installed with the
-# headers of its folder.
+# headers of its folder. The Python module is a shared library that holds it; no other's functions take the place of ours
+# there, so that they are compiled as well as for a program.
 function(evbal_library name)
   cmake_parse_arguments(ROOM "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   add_library(evbal_${name} STATIC ${ROOM_SOURCES})
   add_library(evbal::${name} ALIAS evbal_${name})
   target_link_libraries(evbal_${name} PUBLIC evbal_options ${ROOM_PUBLIC} PRIVATE ${ROOM_PRIVATE})
+  set_target_properties(evbal_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_compile_options(evbal_${name} PRIVATE -fno-semantic-interposition)
   evbal_install(evbal_${name})
   file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
   file(GLOB headers CONFIGURE_DEPENDS *.hpp)

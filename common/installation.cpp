@@ -3,6 +3,8 @@
 #include "common/error.hpp"
 #include "common/suggestion.hpp"
 
+#include <dlfcn.h>
+#include <link.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -14,6 +16,12 @@ namespace evbal {
 namespace fs = std::filesystem;
 
 fs::path own_folder() {
+  Dl_info symbol{};
+  link_map* object = nullptr;
+  void* const here = reinterpret_cast<void*>(&own_folder);  // NOLINT(cppcoreguidelines-pro-type-reinterpret-cast)
+  if (dladdr1(here, &symbol, reinterpret_cast<void**>(&object), RTLD_DL_LINKMAP) != 0 && *object->l_name != '\0') {
+    return fs::canonical(object->l_name).parent_path();
+  }
   std::error_code failed;
   const fs::path program = fs::read_symlink("/proc/self/exe", failed);
   if (failed) {

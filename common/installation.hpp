@@ -6,7 +6,8 @@
 
 namespace evbal {
 
-/// The folder of the program that is running. Throws Error{run_failed} where there is no /proc.
+/// The folder of the program that is running, or of the Python module that this code is part of. Throws
+/// Error{run_failed} where there is no /proc.
 std::filesystem::path own_folder();
 
 /// The program that a command names: a path, else one beside this program, else one in $PATH. Empty if there is none
@@ -14,7 +15,7 @@ std::filesystem::path own_folder();
 std::filesystem::path find_program(const std::string& name);
 
 /// What is shipped with the programs, such as "cities" or "scenarios": the folder share/evbal/NAME that stands nearest
-/// above this program, in an installation as in a build tree; empty if there is none.
+/// above own_folder(), in an installation as in a build tree; empty if there is none.
 std::filesystem::path shipped_folder(const std::string& name);
 
 /// Names of what is shipped in the folder NAME, sorted.

@@ -10,45 +10,6 @@
 namespace evbal {
 namespace {
 
-Flows flows_of(const Departures& said) {
-  Flows flows{.demand = said.demand,
-              .completions = said.completions,
-              .queue_minutes = said.queue_minutes,
-              .stranded = said.stranded,
-              .refused = said.refused,
-              .top_ups = said.topped_up,
-              .charged_kwh = said.charged_kwh};
-  for (const auto& fate : said.fates) {
-    ++(fate.served ? flows.served : flows.lost);
-    flows.wait_minutes += fate.served ? fate.waited : 0;
-  }
-  for (const auto& departure : said.departures) {
-    switch (departure.errand) {
-      case Errand::passenger:
-        flows.passenger_km += departure.km;
-        break;
-      case Errand::rebalance:
-        flows.rebalance_km += departure.km;
-        ++flows.rebalance_moves;
-        break;
-      case Errand::charge:
-        flows.charge_km += departure.km;
-        ++flows.charge_moves;
-        break;
-    }
-  }
-  return flows;
-}
-
-Stocks stocks_of(const Departures& said) {
-  return {.vacant = said.vacant,
-          .low_battery = said.low_battery,
-          .plugged = said.plugged,
-          .points = said.points,
-          .waiting = said.waiting,
-          .broken = said.broken};
-}
-
 std::vector<RegionStep> count_regions(std::span<const TickRecord> window, int step, std::size_t regions) {
   std::vector<RegionStep> rows(regions);
   for (std::size_t i = 0; i < regions; ++i) {
@@ -225,6 +186,45 @@ Totals totals_of(const MetricsFrame& frame, const DayMetrics& day) {
 }
 
 }  // namespace
+
+Flows flows_of(const Departures& said) {
+  Flows flows{.demand = said.demand,
+              .completions = said.completions,
+              .queue_minutes = said.queue_minutes,
+              .stranded = said.stranded,
+              .refused = said.refused,
+              .top_ups = said.topped_up,
+              .charged_kwh = said.charged_kwh};
+  for (const auto& fate : said.fates) {
+    ++(fate.served ? flows.served : flows.lost);
+    flows.wait_minutes += fate.served ? fate.waited : 0;
+  }
+  for (const auto& departure : said.departures) {
+    switch (departure.errand) {
+      case Errand::passenger:
+        flows.passenger_km += departure.km;
+        break;
+      case Errand::rebalance:
+        flows.rebalance_km += departure.km;
+        ++flows.rebalance_moves;
+        break;
+      case Errand::charge:
+        flows.charge_km += departure.km;
+        ++flows.charge_moves;
+        break;
+    }
+  }
+  return flows;
+}
+
+Stocks stocks_of(const Departures& said) {
+  return {.vacant = said.vacant,
+          .low_battery = said.low_battery,
+          .plugged = said.plugged,
+          .points = said.points,
+          .waiting = said.waiting,
+          .broken = said.broken};
+}
 
 Flows& Flows::operator+=(const Flows& other) {
   demand += other.demand;

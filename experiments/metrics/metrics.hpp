@@ -55,6 +55,12 @@ struct Stocks {
   Stocks& operator+=(const Stocks& other);
 };
 
+/// What a region's tick adds to its flows.
+Flows flows_of(const Departures& said);
+
+/// How a region stands at its tick's end.
+Stocks stocks_of(const Departures& said);
+
 /// A row of regions.csv.
 struct RegionStep {
   int step = 0;                      ///< from 0

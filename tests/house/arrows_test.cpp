@@ -90,6 +90,10 @@ const std::vector<Room>& rooms() {
        {"common", "coordinator/ambiguity", "coordinator/convex", "coordinator/balancing", "coordinator/planning",
         "experiments/bound", "tools/samples"}},
       {"tools/bench", {"common", "coordinator/convex", "coordinator/balancing", "tools/samples", "tools/verify"}},
+      {"tools/python",
+       {"common", "agents/protocol", "agents/world", "coordinator/balancing", "experiments/scenario",
+        "experiments/metrics", "experiments/record", "experiments/run", "experiments/study/design",
+        "experiments/study/store"}},
       {"tools/evbal",
        {"common",
         "agents/protocol",
@@ -133,6 +137,7 @@ const std::vector<Reserved>& reserved() {
       {"yaml-cpp/", {"common"}},
       {"Random123/", {"common"}},
       {"nlopt", {"coordinator/forecast"}},
+      {"pybind11/", {"tools/python"}},
       {"SQLiteCpp/", {"experiments/record", "experiments/study/store"}},
   };
   return table;
