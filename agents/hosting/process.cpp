@@ -1,6 +1,8 @@
 #include "agents/hosting/process.hpp"
 
+#include "agents/protocol/bytes.hpp"
 #include "common/error.hpp"
+#include "common/files.hpp"
 #include "common/pin.hpp"
 
 #include <CLI/CLI.hpp>
@@ -22,13 +24,22 @@ namespace {
 std::mutex farewell_mutex;
 std::function<void()> farewell;
 
+void write_legs(const std::filesystem::path& file) {
+  try {
+    write_file(file, to_bytes(process_legs().taken()));
+  } catch (const Error& error) {
+    log_line(LogLevel::warn, error.what());
+  }
+}
+
 /// Ends this process with its conductor, at any moment: what must last is written before it is said.
-void end_with_conductor() {
+void end_with_conductor(const std::filesystem::path& legs) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);  // also reaches a process that is stopped
-  std::thread([] {
+  std::thread([legs] {
     std::array<char, 64> ignored{};
     while (read(STDIN_FILENO, ignored.data(), ignored.size()) > 0) {
     }
+    write_legs(legs);
     const std::lock_guard lock(farewell_mutex);
     if (farewell) {
       farewell();
@@ -54,6 +65,9 @@ void add_options(CLI::App& app, ProcessOptions& options) {
   app.add_option("--world", options.world, "What an agent is told of its regions");
   app.add_option("--first-region", options.first_region, "First of the regions that an agent hosts");
   app.add_option("--last-region", options.last_region, "Last of them");
+  app.add_option_function<std::string>(
+      "--log-level", [&](const std::string& word) { options.log_level = log_level_of(word); },
+      "Log from which level on: debug, info, warn or error");
 }
 
 }  // namespace
@@ -75,10 +89,27 @@ std::vector<std::string> arguments(const ProcessOptions& options) {
   if (!options.world.empty()) {
     words.insert(words.end(), {"--world", options.world.string()});
   }
+  if (options.log_level != LogLevel::warn) {
+    words.insert(words.end(), {"--log-level", log_levels()[static_cast<std::size_t>(options.log_level)]});
+  }
   if (!options.address.profiles.empty()) {
     words.insert(words.end(), {"--dds-profiles", options.address.profiles.string()});
   }
   return words;
+}
+
+Legs& process_legs() {
+  static Legs& only = *new Legs;  // in use until the process's very end
+  return only;
+}
+
+std::filesystem::path legs_file(const std::filesystem::path& journal) {
+  return journal.string() + ".legs";
+}
+
+std::vector<Leg> read_legs(const std::filesystem::path& file) {
+  const std::string bytes = text_of_file(file);
+  return bytes.empty() ? std::vector<Leg>{} : from_bytes<std::vector<Leg>>(bytes);
 }
 
 int run_process(int argc, char** argv, const std::string& description,
@@ -89,9 +120,13 @@ int run_process(int argc, char** argv, const std::string& description,
   add_options(app, options);
   try {
     app.parse(argc, argv);
-    end_with_conductor();
+    begin_log(options.name, options.log_level);
+    end_with_conductor(legs_file(options.journal));
     options.address.returns = std::filesystem::exists(options.journal);
     Participant participant(options.address, options.name);
+    log_line(LogLevel::info, "is participant " + std::to_string(options.address.participant) + " of domain " +
+                                 std::to_string(options.address.domain) +
+                                 (options.address.returns ? ", started again" : ""));
     body(options, participant);
     return static_cast<int>(ExitStatus::ok);
   } catch (const CLI::ParseError& error) {

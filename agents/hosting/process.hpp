@@ -1,6 +1,8 @@
 #pragma once
 
 #include "agents/bus/participant.hpp"
+#include "common/legs.hpp"
+#include "common/log.hpp"
 
 #include <chrono>
 #include <filesystem>
@@ -20,10 +22,21 @@ struct ProcessOptions {
   std::filesystem::path world{};     ///< of an agent: what it is told of its regions (agents/region/region_world.hpp)
   int first_region = 0;              ///< of an agent, which hosts first_region..last_region
   int last_region = 0;               ///< the last of them
+  LogLevel log_level = LogLevel::warn;  ///< from which on the process logs
 };
 
 /// The options as arguments of a command line, which run_process reads.
 std::vector<std::string> arguments(const ProcessOptions& options);
+
+/// Times the legs of this process's ticks. What they took is written to legs_file() when the process ends with the
+/// conductor.
+Legs& process_legs();
+
+/// Where a process with this journal writes what its legs took.
+std::filesystem::path legs_file(const std::filesystem::path& journal);
+
+/// What is in such a file; nothing if there is none.
+std::vector<Leg> read_legs(const std::filesystem::path& file);
 
 /// The main of every process on the bus: pins the arithmetic, reads the arguments, joins the bus, runs `body`, and
 /// turns errors into a line on stderr and an exit status. The process ends when its standard input does, that is

@@ -4,6 +4,8 @@
 #include "agents/hosting/journal_entries.hpp"
 #include "agents/protocol/origin.hpp"
 #include "common/error.hpp"
+#include "common/legs.hpp"
+#include "common/log.hpp"
 
 #include <unistd.h>
 
@@ -107,6 +109,7 @@ void say_hello(Participant& participant, const ProcessOptions& options, Connecte
     throw none("conductor on the bus", options.patience);
   }
   hello.write({.name = options.name, .process_id = getpid()});
+  log_line(LogLevel::info, "hears all whom it must hear");
 }
 
 /// Waits for the newest tick after `last` that `concerns` the process.
@@ -120,8 +123,13 @@ Tick next_tick(Reader<Tick>& ticks, int last, std::chrono::seconds patience, Con
     }
     return next.has_value();
   };
-  if (!comes(patience, come, [&] { ticks.wait(nap); })) {
+  const bool came =
+      process_legs().time("wait for the tick", [&] { return comes(patience, come, [&] { ticks.wait(nap); }); });
+  if (!came) {
     throw none("tick after " + std::to_string(last) + " from the conductor", patience);
+  }
+  if (is_logged(LogLevel::debug)) {
+    log_line(LogLevel::debug, "tick " + std::to_string(next->tick));
   }
   return std::move(*next);
 }
@@ -135,7 +143,9 @@ Plan plan_of(Reader<Plan>& plans, int tick, std::chrono::seconds patience) {
     }
     return plan.has_value();
   };
-  if (!comes(patience, come, [&] { plans.wait(nap); })) {
+  const bool came =
+      process_legs().time("wait for the plan", [&] { return comes(patience, come, [&] { plans.wait(nap); }); });
+  if (!came) {
     throw none("plan of tick " + std::to_string(tick) + " from the coordinator", patience);
   }
   return std::move(*plan);
@@ -163,7 +173,9 @@ std::vector<Report> reports_of(Reader<std::vector<Report>>& reader, const Tick& 
     }
     return missing.empty();
   };
-  if (!comes(patience, come, [&] { reader.wait(nap); })) {
+  const bool came =
+      process_legs().time("wait for the reports", [&] { return comes(patience, come, [&] { reader.wait(nap); }); });
+  if (!came) {
     throw none("report of tick " + std::to_string(tick.tick) + " from " + some_of(missing), patience);
   }
   std::vector<Report> reports;
@@ -199,21 +211,23 @@ void serve_agent(Participant& participant, const ProcessOptions& options, const 
     departure_writer.write(said.departures);
   }
   const auto due = [&](const Tick& tick) { return contains(tick.due, own.first); };
+  Legs& legs = process_legs();
   for (;;) {
     AgentEntry told{.tick = next_tick(ticks, last, options.patience, due), .plan = {}};
     last = told.tick.tick;
-    begin(regions, told.tick);
+    legs.time("begin", [&] { begin(regions, told.tick); });
     if (told.tick.plan_due) {
-      const auto reports = ask_reports(regions);
+      const auto reports = legs.time("report", [&] { return ask_reports(regions); });
       if (attended(told.tick)) {
-        report_writer.write(reports);
+        legs.time("send", [&] { report_writer.write(reports); });
       }
     }
     if (waits_for_plan(told.tick, own)) {
       told.plan.push_back(plan_of(plans, last, options.patience));
     }
-    journal.append(to_bytes(told));
-    departure_writer.write(ask_departures(regions, told));
+    legs.time("journal", [&] { journal.append(to_bytes(told)); });
+    const auto departures = legs.time("live", [&] { return ask_departures(regions, told); });
+    legs.time("send", [&] { departure_writer.write(departures); });
   }
 }
 
@@ -232,14 +246,17 @@ void serve_coordinator(Participant& participant, const ProcessOptions& options, 
   if (last.tick.tick >= 0) {
     plans.write(last.plan);
   }
+  Legs& legs = process_legs();
   for (;;) {
     last.tick = next_tick(ticks, last.tick.tick, options.patience, attended);
     if (last.tick.plan_due) {
       last.reports = reports_of(reports, last.tick, options.patience);
-      last.plan = with_origin([&] { return planner.plan(last.tick, last.reports); });
-      last.memory = planner.memory();
-      journal.append(to_bytes(last));
-      plans.write(last.plan);
+      last.plan = legs.time("plan", [&] { return with_origin([&] { return planner.plan(last.tick, last.reports); }); });
+      legs.time("journal", [&] {
+        last.memory = planner.memory();
+        journal.append(to_bytes(last));
+      });
+      legs.time("send", [&] { plans.write(last.plan); });
     }
   }
 }
@@ -250,7 +267,9 @@ void serve_injector(Participant& participant, const ProcessOptions& options,
   Writer<Faults> writer(participant);
   say_hello(participant, options, [&] { return ticks.writers() > 0 && writer.readers() > 0; });
   for (int tick = -1;; tick = next_tick(ticks, tick, options.patience, attended).tick) {
-    writer.write(with_origin([&] { return faults_of(tick + 1); }));
+    const Faults faults =
+        process_legs().time("faults", [&] { return with_origin([&] { return faults_of(tick + 1); }); });
+    process_legs().time("send", [&] { writer.write(faults); });
   }
 }
 

@@ -5,6 +5,7 @@
 #include "agents/region/region_world.hpp"
 #include "common/error.hpp"
 #include "common/interrupt.hpp"
+#include "common/log.hpp"
 #include "experiments/conductor/collected.hpp"
 #include "experiments/conductor/machine_needs.hpp"
 
@@ -27,22 +28,6 @@ constexpr auto glance = 20ms;  // between looks at the processes while nothing c
 // who is missing.
 constexpr int processes_patience = 10;
 
-int agents(const DdsRun& run) {
-  return (run.regions + run.regions_per_process - 1) / run.regions_per_process;
-}
-
-int first_region(const DdsRun& run, int agent) {
-  return agent * run.regions_per_process;
-}
-
-int last_region(const DdsRun& run, int agent) {
-  return std::min(first_region(run, agent + 1), run.regions) - 1;
-}
-
-int participants(const DdsRun& run) {
-  return BusAddress::first_agent + agents(run);
-}
-
 /// No two runs that could hear each other have the same.
 std::string new_run_id() {
   return std::to_string(getpid()) + "-" + std::to_string(std::chrono::system_clock::now().time_since_epoch().count());
@@ -57,16 +42,6 @@ std::string listed(const std::set<std::string>& names) {
 }
 
 }  // namespace
-
-EmptyFolder::EmptyFolder(std::filesystem::path path) : path_(std::move(path)) {
-  std::filesystem::remove_all(path_);
-  std::filesystem::create_directories(path_);
-}
-
-EmptyFolder::~EmptyFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
 
 struct DdsPlayers::Topics {
   explicit Topics(Participant& participant)
@@ -105,14 +80,17 @@ DdsPlayers::DdsPlayers(const DdsRun& run) : run_(run), journals_(run.folder / "j
   }
   ignore_surroundings();
   if (run_.network) {
-    network_.emplace(*run_.network, agents(run_), run_.seed);
+    network_.emplace(*run_.network, run_.agents(), run_.seed);
   }
   write_agent_worlds();
-  domain_.emplace(participants(run_));
+  domain_.emplace(run_.participants());
   while (!begins_in_domain()) {
-    domain_.emplace(participants(run_), domain_->domain() + 1);
+    domain_.emplace(run_.participants(), domain_->domain() + 1);
   }
   ready_seconds_ = std::chrono::duration<double>(Clock::now() - begin).count();
+  log_line(LogLevel::info, std::to_string(run_.participants()) + " processes in domain " +
+                               std::to_string(domain_->domain()) + " ready after " + std::to_string(ready_seconds_) +
+                               " s");
 }
 
 DdsPlayers::~DdsPlayers() = default;
@@ -121,7 +99,7 @@ bool DdsPlayers::begins_in_domain() {
   const BusAddress address{.run = new_run_id(),
                            .domain = domain_->domain(),
                            .participant = BusAddress::conductor,
-                           .participants = participants(run_),
+                           .participants = run_.participants(),
                            .apart = run_.network.has_value(),
                            .profiles = run_.profiles};
   try {
@@ -150,8 +128,8 @@ std::filesystem::path DdsPlayers::world_of(int agent) const {
 void DdsPlayers::write_agent_worlds() const {
   if (run_.world != nullptr) {
     const auto regions = region_worlds(*run_.world);
-    for (int agent = 0; agent < agents(run_); ++agent) {
-      write_agent_world(world_of(agent), *run_.world, regions, first_region(run_, agent), last_region(run_, agent));
+    for (int agent = 0; agent < run_.agents(); ++agent) {
+      write_agent_world(world_of(agent), *run_.world, regions, run_.first_region(agent), run_.last_region(agent));
     }
   }
 }
@@ -168,6 +146,7 @@ void DdsPlayers::start_processes(BusAddress address) {
     told.scenario = run_.folder / "scenario.resolved.yaml";
     told.journal = journals_.path() / told.name;
     told.patience = processes_patience * run_.patience;
+    told.log_level = least_logged();
     std::vector<std::string> words(command.begin() + 1, command.end());
     const auto options = arguments(told);
     words.insert(words.end(), options.begin(), options.end());
@@ -180,12 +159,12 @@ void DdsPlayers::start_processes(BusAddress address) {
   start({.name = "coordinator"}, run_.coordinator.empty() ? own("evbal-coordinator") : run_.coordinator);
   address.participant = BusAddress::injector;
   start({.name = "faults"}, own("evbal-faults"));
-  for (int agent = 0; agent < agents(run_); ++agent) {
+  for (int agent = 0; agent < run_.agents(); ++agent) {
     address.participant = BusAddress::first_agent + agent;
     start({.name = name_of(address.participant),
            .world = world_of(agent),
-           .first_region = first_region(run_, agent),
-           .last_region = last_region(run_, agent)},
+           .first_region = run_.first_region(agent),
+           .last_region = run_.last_region(agent)},
           own("evbal-agent"));
   }
 }
@@ -224,6 +203,7 @@ void DdsPlayers::await_hellos() {
 
 void DdsPlayers::look_after_processes() {
   for (const auto& death : supervisor_->revive()) {
+    log_line(LogLevel::info, death.process + ": " + death.how + ", started again");
     incidents_.push_back({"process ended", death.process + ": " + death.how});
     absent_.insert(death.process);
     deaths_[death.process] = Clock::now();
@@ -271,6 +251,16 @@ void DdsPlayers::bring_back(const std::string& name, Absence how) {
   }
 }
 
+std::vector<ProcessLegs> DdsPlayers::end() {
+  supervisor_.reset();
+  auto all = Players::end();
+  for (int participant = BusAddress::coordinator; participant < run_.participants(); ++participant) {
+    const std::string name = name_of(participant);
+    all.push_back({name, read_legs(legs_file(journals_.path() / name))});
+  }
+  return all;
+}
+
 Faults DdsPlayers::faults(int tick) {
   std::optional<Faults> found;
   const auto come = [&] {
@@ -281,8 +271,10 @@ Faults DdsPlayers::faults(int tick) {
     }
     return found.has_value();
   };
-  await("faults of tick " + std::to_string(tick), topics_->faults, come,
-        [] { return std::set<std::string>{"faults"}; });
+  legs().time("faults", [&] {
+    await("faults of tick " + std::to_string(tick), topics_->faults, come,
+          [] { return std::set<std::string>{"faults"}; });
+  });
   return std::move(*found);
 }
 
@@ -299,7 +291,7 @@ Exchange DdsPlayers::play(const Tick& tick) {
     return region >= 0 && region < run_.regions && name_of(from) == host_of(region);
   };
   newest_ = std::max(newest_, tick.tick);
-  topics_->tick.write(tick);
+  legs().time("tick", [&] { topics_->tick.write(tick); });
   Exchange exchange;
   if (tick.plan_due && !tick.unattended) {
     Collected<Report> reports(tick.tick, tick.due);
@@ -307,7 +299,9 @@ Exchange DdsPlayers::play(const Tick& tick) {
       reports.add(topics_->reports.take(), newest_, is_of);
       return reports.missing().empty();
     };
-    await("report" + of_tick, topics_->reports, all_reported, [&] { return hosts(reports.missing()); });
+    legs().time("reports", [&] {
+      await("report" + of_tick, topics_->reports, all_reported, [&] { return hosts(reports.missing()); });
+    });
     exchange.reports = reports.by_region();
     const auto planned = [&] {
       for (auto& [from, plan] : topics_->plan.take()) {
@@ -317,14 +311,18 @@ Exchange DdsPlayers::play(const Tick& tick) {
       }
       return exchange.plan.has_value();
     };
-    await("plan" + of_tick, topics_->plan, planned, [] { return std::set<std::string>{"coordinator"}; });
+    legs().time("plan", [&] {
+      await("plan" + of_tick, topics_->plan, planned, [] { return std::set<std::string>{"coordinator"}; });
+    });
   }
   Collected<Departures> departures(tick.tick, tick.due);
   const auto all_departed = [&] {
     departures.add(topics_->departures.take(), newest_, is_of);
     return departures.missing().empty();
   };
-  await("departures" + of_tick, topics_->departures, all_departed, [&] { return hosts(departures.missing()); });
+  legs().time("departures", [&] {
+    await("departures" + of_tick, topics_->departures, all_departed, [&] { return hosts(departures.missing()); });
+  });
   exchange.departures = departures.by_region();
   supervisor_->progress();
   for (const auto& [what, times] : topics_->refused()) {

@@ -4,10 +4,12 @@
 #include "agents/world/world.hpp"
 #include "common/installation.hpp"
 #include "experiments/conductor/domain_lock.hpp"
+#include "experiments/conductor/empty_folder.hpp"
 #include "experiments/conductor/lossy_network.hpp"
 #include "experiments/conductor/players.hpp"
 #include "experiments/conductor/supervisor.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <functional>
@@ -33,22 +35,15 @@ struct DdsRun {
   std::optional<NetworkConditions> network{};     ///< between each agent and the others
   std::uint64_t seed = 0;                         ///< of what it loses
   std::filesystem::path profiles{};               ///< as in BusAddress
-};
 
-/// A folder that is empty to begin with and goes with its owner.
-class EmptyFolder {
- public:
-  /// Makes the folder, or empties it; the object's end removes it.
-  explicit EmptyFolder(std::filesystem::path path);
-  ~EmptyFolder();
-  EmptyFolder(const EmptyFolder&) = delete;
-  EmptyFolder& operator=(const EmptyFolder&) = delete;
-
-  /// Where it is.
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
+  /// Processes that host regions.
+  int agents() const { return (regions + regions_per_process - 1) / regions_per_process; }
+  /// All processes, the conductor's included.
+  int participants() const { return BusAddress::first_agent + agents(); }
+  /// The first of the regions that an agent hosts.
+  int first_region(int agent) const { return agent * regions_per_process; }
+  /// The last of them.
+  int last_region(int agent) const { return std::min(first_region(agent + 1), regions) - 1; }
 };
 
 /// The others as processes on the bus: starts them, waits until all are there, and ends them when destroyed. One that
@@ -66,6 +61,8 @@ class DdsPlayers : public Players {
 
   /// By signals: SIGKILL; SIGSTOP and SIGCONT.
   void take_away(const Absences& away) override;
+
+  std::vector<ProcessLegs> end() override;
 
   /// Of "agent-0", ..., "coordinator" or "faults".
   pid_t process_id(const std::string& name) const { return supervisor_->process_id(name); }

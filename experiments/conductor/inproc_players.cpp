@@ -23,19 +23,19 @@ InprocPlayers::InprocPlayers(const World& world, Planner planner, Injector injec
       regions_per_process_(regions_per_process) {}
 
 Faults InprocPlayers::faults(int tick) {
-  return with_origin([&] { return injector_(tick); });
+  return legs().time("faults", [&] { return with_origin([&] { return injector_(tick); }); });
 }
 
 Exchange InprocPlayers::report(const Tick& tick) {
   Exchange said;
-  for (const int region : tick.due) {
-    plants_[region].begin(tick);
-  }
-  if (tick.plan_due) {
+  legs().time("reports", [&] {
     for (const int region : tick.due) {
-      said.reports.push_back(with_origin([&] { return plants_[region].report(); }));
+      plants_[region].begin(tick);
+      if (tick.plan_due) {
+        said.reports.push_back(with_origin([&] { return plants_[region].report(); }));
+      }
     }
-  }
+  });
   if (tick.unattended) {
     said.reports.clear();
   }
@@ -43,15 +43,19 @@ Exchange InprocPlayers::report(const Tick& tick) {
 }
 
 void InprocPlayers::live(const Tick& tick, Exchange& said) {
-  for (const int region : tick.due) {
-    said.departures.push_back(with_origin([&] { return plants_[region].live(said.plan ? &*said.plan : nullptr); }));
-  }
+  legs().time("departures", [&] {
+    for (const int region : tick.due) {
+      said.departures.push_back(with_origin([&] { return plants_[region].live(said.plan ? &*said.plan : nullptr); }));
+    }
+  });
 }
 
 Exchange InprocPlayers::play(const Tick& tick) {
   Exchange said = report(tick);
   if (tick.plan_due && !tick.unattended) {
-    said.plan = with_origin([&] { return planner_(tick, heard_in_time(tick, said.reports)); });
+    said.plan = legs().time("plan", [&] {
+      return with_origin([&] { return planner_(tick, heard_in_time(tick, said.reports)); });
+    });
   }
   live(tick, said);
   return said;

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "agents/protocol/tick_record.hpp"
+#include "common/legs.hpp"
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace evbal {
 
@@ -30,6 +32,15 @@ class Players {
   /// Announces the tick and gives back what was said, all that is due. Throws Error{run_failed} naming whom it
   /// waited for in vain.
   virtual Exchange play(const Tick& tick) = 0;
+
+  /// Times the legs of a tick in the conductor's process.
+  Legs& legs() { return legs_; }
+
+  /// Ends the others, who play no more, and says what the legs of everybody's ticks took, the conductor's first.
+  virtual std::vector<ProcessLegs> end() { return {{"conductor", legs_.taken()}}; }
+
+ private:
+  Legs legs_;
 };
 
 }  // namespace evbal

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 void read_summary(const fs::path& file, RecordedRun& run) {
-  const auto json = nlohmann::json::parse(text_of_file(file));
+  const auto json = nlohmann::ordered_json::parse(text_of_file(file));
   const auto& solver = json.at("solver");
   run.scenario = json.at("scenario");
   run.date = json.at("date");
@@ -33,6 +33,13 @@ void read_summary(const fs::path& file, RecordedRun& run) {
   run.solve_seconds_median = solver.at("seconds_median");
   run.wall_seconds = json.at("wall_seconds");
   run.totals = json.at("totals").get<std::map<std::string, double>>();
+  const auto timings = json.value("timings", nlohmann::ordered_json::object());
+  for (const auto& [process, legs] : timings.items()) {
+    ProcessLegs& of_process = run.timings.emplace_back(ProcessLegs{process, {}});
+    for (const auto& [name, leg] : legs.items()) {
+      of_process.legs.push_back({name, leg.at("times"), leg.at("seconds"), 1e-3 * leg.at("longest_ms").get<double>()});
+    }
+  }
 }
 
 /// The columns of a table by name, but for the first.

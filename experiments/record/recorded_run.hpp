@@ -2,6 +2,7 @@
 
 #include "agents/protocol/messages.hpp"
 #include "common/eigen.hpp"
+#include "common/legs.hpp"
 #include "experiments/record/recorded_fault.hpp"
 
 #include <cstdint>
@@ -29,6 +30,7 @@ struct RecordedRun {
   int fallbacks = 0;                                 ///< plans that fell back
   double solve_seconds_median = 0.0;                 ///< of a processor
   double wall_seconds = 0.0;                         ///< that the run took
+  std::vector<ProcessLegs> timings;                  ///< what the legs of the ticks took, all agents as one
   std::map<std::string, double> totals;              ///< by metric
   std::map<std::string, std::vector<double>> steps;  ///< columns of steps.csv, but for `start`
   std::map<std::string, Eigen::MatrixXd> by_region;  ///< columns of regions.csv but for `start`, regions x steps

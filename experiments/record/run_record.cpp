@@ -181,7 +181,7 @@ void mark_complete(const fs::path& folder) {
   fs::remove(folder / "INCOMPLETE");
 }
 
-RunResult RunRecord::finish(const std::optional<CrossChecked>& cross_check) {
+RunResult RunRecord::finish(const std::vector<ProcessLegs>& timings, const std::optional<CrossChecked>& cross_check) {
   const DayClock& clock = header_.frame.clock;
   EVBAL_EXPECT(static_cast<int>(ticks_.size()) == clock.ticks(), "every tick of the day");
   note_not_injected();
@@ -196,7 +196,7 @@ RunResult RunRecord::finish(const std::optional<CrossChecked>& cross_check) {
                          .cross_check = cross_check};
   write_file(folder_ / "steps.csv", steps_csv(clock, day));
   write_file(folder_ / "regions.csv", regions_csv(clock, day));
-  write_file(folder_ / "summary.json", summary_json(header_, day, result, ticks_, tick_seconds_));
+  write_file(folder_ / "summary.json", summary_json(header_, day, result, ticks_, tick_seconds_, timings));
   finished_ = true;
   return result;
 }

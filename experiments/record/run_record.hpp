@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/digest.hpp"
+#include "common/legs.hpp"
 #include "experiments/metrics/metrics.hpp"
 #include "experiments/record/day_file.hpp"
 #include "experiments/scenario/input_digests.hpp"
@@ -84,8 +85,8 @@ class RunRecord {
   std::span<const TickRecord> ticks() const { return ticks_; }
 
   /// Writes what is still missing but for what others add, who call mark_complete() at last. All steps of the day must
-  /// have been added.
-  RunResult finish(const std::optional<CrossChecked>& cross_check = {});
+  /// have been added; `timings` are what the legs of the ticks took.
+  RunResult finish(const std::vector<ProcessLegs>& timings, const std::optional<CrossChecked>& cross_check = {});
 
  private:
   using Clock = std::chrono::steady_clock;

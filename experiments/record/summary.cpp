@@ -124,6 +124,34 @@ Json network_json(const NetworkConditions& network, std::span<const TickRecord> 
           {"exchange_seconds", {{"median", median(exchange)}, {"p99", exchange[late]}, {"max", exchange.back()}}}};
 }
 
+/// By process, in the order of `timings`, all agents as one.
+Json timings_json(const std::vector<ProcessLegs>& timings) {
+  std::map<std::string, std::map<std::string, Leg>> sums;
+  std::vector<std::string> order;
+  for (const auto& [process, legs] : timings) {
+    const std::string name = process.starts_with("agent-") ? "agents" : process;
+    if (!legs.empty() && !sums.contains(name)) {
+      order.push_back(name);
+    }
+    for (const Leg& leg : legs) {
+      Leg& sum = sums[name][leg.name];
+      sum.times += leg.times;
+      sum.seconds += leg.seconds;
+      sum.longest = std::max(sum.longest, leg.longest);
+    }
+  }
+  Json json = Json::object();
+  for (const auto& process : order) {
+    for (const auto& [name, leg] : sums[process]) {
+      json[process][name] = {{"times", leg.times},
+                             {"seconds", leg.seconds},
+                             {"mean_ms", 1000.0 * leg.seconds / static_cast<double>(leg.times)},
+                             {"longest_ms", 1000.0 * leg.longest}};
+    }
+  }
+  return json;
+}
+
 std::int64_t fleet_of(const DayMetrics& day) {
   if (day.steps.empty()) {
     return 0;
@@ -135,7 +163,8 @@ std::int64_t fleet_of(const DayMetrics& day) {
 }  // namespace
 
 std::string summary_json(const RunHeader& header, const DayMetrics& day, const RunResult& result,
-                         std::span<const TickRecord> ticks, std::span<const double> tick_seconds) {
+                         std::span<const TickRecord> ticks, std::span<const double> tick_seconds,
+                         const std::vector<ProcessLegs>& timings) {
   Json json = {{"scenario", header.scenario},
                {"date", header.date},
                {"seed", header.seed},
@@ -156,7 +185,8 @@ std::string summary_json(const RunHeader& header, const DayMetrics& day, const R
                {"solver", solver_json(header, result, ticks)},
                {"processes", processes_json(ticks)},
                {"step_seconds", step_seconds_json(header.frame.clock, ticks, tick_seconds)},
-               {"wall_seconds", result.wall_seconds}};
+               {"wall_seconds", result.wall_seconds},
+               {"timings", timings_json(timings)}};
   if (header.network) {
     json["network"] = network_json(*header.network, ticks, tick_seconds);
   }

@@ -22,14 +22,17 @@ namespace evbal {
 ///                  0 in one process; and how often one was started again
 ///     step_seconds wall time of a step: median, max, and median of what is left without the solver
 ///     wall_seconds
+///     timings      what the legs of the ticks took, by process (all agents together) and leg: times, wall seconds
+///                  in all, mean_ms, longest_ms
 ///     network      loss, delay_ms, deterministic_in_time, exchange_seconds (of a tick, without the solver); only
 ///                  if the scenario has the key
 ///     dds_profiles file of settings of Fast DDS, only if the scenario has the key
 ///
-/// `program`, `transport`, `processes`, `network`, `dds_profiles` and what is measured in seconds depend on how the day
+/// `program`, `transport`, `processes`, `network`, `dds_profiles` and what is measured in time depend on how the day
 /// was run, nothing else does.
 std::string summary_json(const RunHeader& header, const DayMetrics& day, const RunResult& result,
-                         std::span<const TickRecord> ticks, std::span<const double> tick_seconds);
+                         std::span<const TickRecord> ticks, std::span<const double> tick_seconds,
+                         const std::vector<ProcessLegs>& timings);
 
 /// Plans that were not the controller's own.
 int count_fallbacks(std::span<const TickRecord> ticks);

@@ -6,6 +6,7 @@
 #include "common/interrupt.hpp"
 #include "coordinator/bridge/external_controller.hpp"
 #include "experiments/conductor/dds_players.hpp"
+#include "experiments/conductor/empty_folder.hpp"
 #include "experiments/conductor/inproc_players.hpp"
 #include "experiments/conductor/run_day.hpp"
 #include "experiments/record/row.hpp"
@@ -103,7 +104,7 @@ RunResult play_and_record(const Scenario& scenario, const std::string& resolved,
   const auto players = players_of(scenario, folder, stage.transport);
   try {
     run_day(scenario.world, *players, [&](const TickRecord& tick) {
-      record.add(tick);
+      players->legs().time("record", [&] { record.add(tick); });
       if (stage.on_tick) {
         stage.on_tick(tick);
       }
@@ -113,7 +114,7 @@ RunResult play_and_record(const Scenario& scenario, const std::string& resolved,
     record.break_off(error.what());
     throw;
   }
-  return record.finish(cross_check(scenario, record.ticks()));
+  return record.finish(players->end(), cross_check(scenario, record.ticks()));
 }
 
 DayResult play_without_record(const Scenario& scenario, Players& players) {

@@ -145,6 +145,11 @@ YamlValue with_settings(YamlValue scenario, const std::vector<std::string>& sett
   return scenario;
 }
 
+int usual_regions_per_process(int regions) {
+  constexpr int most_agents = 100;
+  return (regions + most_agents - 1) / most_agents;
+}
+
 Scenario read_scenario(const std::filesystem::path& file, const Overrides& overrides) {
   return read_scenario(YamlValue::load(file), overrides);
 }
@@ -159,9 +164,9 @@ Scenario read_scenario(const YamlValue& yaml, const Overrides& overrides) {
   scenario.controllers = read_controllers(map, scenario.planning);
   const auto transport = map.find("transport");
   scenario.transport = transport ? transports[transport->one_of(transports)] : transports.front();
-  if (const auto given = map.find("regions_per_process")) {
-    scenario.regions_per_process = given->integer(1, 1'000'000);
-  }
+  const auto hosted = map.find("regions_per_process");
+  scenario.regions_per_process =
+      hosted ? hosted->integer(1, 1'000'000) : usual_regions_per_process(scenario.world.city.size());
   if (const auto network = map.find("network")) {
     scenario.network = read_network(*network);
   }

@@ -61,6 +61,9 @@ std::filesystem::path find_scenario(const std::filesystem::path& given);
 /// The file's text with settings, each KEY=VALUE, in place of what it says. Throws Error{bad_input}.
 YamlValue with_settings(YamlValue scenario, const std::vector<std::string>& settings);
 
+/// Regions that one agent hosts if a scenario does not say: so many that there are at most 100 agents.
+int usual_regions_per_process(int regions);
+
 /// Reads a scenario, resolved or not. Throws Error{bad_input} with file, line, reason and what would be right; for an
 /// override the option stands in place of the file.
 Scenario read_scenario(const std::filesystem::path& file, const Overrides& overrides = {});

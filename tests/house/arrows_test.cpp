@@ -134,6 +134,8 @@ const std::vector<Reserved>& reserved() {
       {"Ip", {"coordinator/convex"}},
       {"Clp", {"coordinator/convex", "tools/verify"}},
       {"Coin", {"coordinator/convex"}},
+      {"mrpt/math", {"agents/world"}},
+      {"mrpt/system", {"common"}},
       {"yaml-cpp/", {"common"}},
       {"Random123/", {"common"}},
       {"nlopt", {"coordinator/forecast"}},

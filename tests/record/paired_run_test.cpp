@@ -18,7 +18,7 @@ RecordedRun recorded(const std::filesystem::path& folder, const RunHeader& heade
   for (const auto& tick : day) {
     record.add(tick);
   }
-  mark_complete(record.finish().folder);
+  mark_complete(record.finish({}).folder);
   return read_run(folder);
 }
 

@@ -21,7 +21,7 @@ class Record : public ::testing::Test {
     for (const auto& tick : day) {
       record.add(tick);
     }
-    return record.finish();
+    return record.finish({});
   }
 
   std::optional<std::string> difference() const {
@@ -89,7 +89,7 @@ TEST_F(Record, SaysWhyItCannotGoOnIfTheDiskIsFull) {
     for (const auto& tick : small_day()) {
       record.add(tick);
     }
-    record.finish();
+    record.finish({});
     FAIL() << "was recorded";
   } catch (const Error& error) {
     EXPECT_EQ(error.status(), ExitStatus::run_failed);

@@ -25,7 +25,7 @@ TEST(RecordedRun, SeesSolverFaultsInThePlansThatFellBack) {
   for (const auto& tick : day) {
     record.add(tick);
   }
-  record.finish();
+  record.finish({});
   const auto faults = read_faults(folder.path() / "run" / "run.sqlite");
   ASSERT_EQ(faults.size(), 1U);
   EXPECT_EQ(faults[0].said, (std::map<int, std::set<int>>{{0, {no_region}}}));
@@ -41,7 +41,7 @@ TEST(RecordedRun, GivesTheMeanPlanCostByTerm) {
   for (const auto& tick : day) {
     record.add(tick);
   }
-  record.finish();
+  record.finish({});
   mark_complete(folder.path() / "run");
   const auto costs = read_run(folder.path() / "run").plan_costs;
   ASSERT_EQ(costs.size(), 2U);
@@ -59,7 +59,7 @@ TEST(RecordedRun, GivesRegionsAndFaultsBack) {
   for (const auto& tick : small_day()) {
     record.add(tick);
   }
-  record.finish();
+  record.finish({});
   EXPECT_THROW(read_run(run_folder), Error) << "was taken as finished while it is marked";
   EXPECT_EQ(read_marked_run(run_folder).ticks, 4);
   mark_complete(run_folder);

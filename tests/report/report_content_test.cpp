@@ -16,7 +16,7 @@ TEST(ReportContent, SaysWhatItLeavesOutAndWhy) {
   for (const auto& tick : small_day()) {
     record.add(tick);
   }
-  mark_complete(record.finish().folder);
+  mark_complete(record.finish({}).folder);
   const std::string page = report_page(content_on({read_run(folder.path() / "run")}));
   EXPECT_NE(page.find("Left out: map, forecasts and thresholds. "), std::string::npos);
   EXPECT_NE(page.find("city `gone` is neither a shipped pack nor a folder"), std::string::npos);

@@ -58,6 +58,16 @@ TEST_F(ScenarioFile, NeedsNoMoreThanAWorld) {
   EXPECT_TRUE(scenario.expect.empty());
 }
 
+TEST_F(ScenarioFile, LetsAnAgentHostSeveralRegionsWhereThereWouldBeTooManyAgents) {
+  const std::string large =
+      "schema: 1\ncity: shenzhen-491\nday: " + find_city("shenzhen-491").days.front() + "\nseed: 1\n";
+  EXPECT_EQ(read_scenario(write(large)).regions_per_process, 5);
+  EXPECT_EQ(read_scenario(write(large + "regions_per_process: 1\n")).regions_per_process, 1);
+  EXPECT_EQ(usual_regions_per_process(1), 1);
+  EXPECT_EQ(usual_regions_per_process(100), 1);
+  EXPECT_EQ(usual_regions_per_process(101), 2);
+}
+
 TEST_F(ScenarioFile, RefusesWhatIsWrong) {
   struct Case {
     std::string more;

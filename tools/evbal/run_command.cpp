@@ -3,6 +3,7 @@
 #include "common/decimal.hpp"
 #include "common/error.hpp"
 #include "common/interrupt.hpp"
+#include "common/log.hpp"
 #include "experiments/record/paired_run.hpp"
 #include "experiments/record/recorded_run.hpp"
 #include "experiments/run/run_folder.hpp"
@@ -15,6 +16,7 @@
 #include "tools/evbal/runs_folder.hpp"
 #include "tools/evbal/scenario_options.hpp"
 #include "tools/evbal/study_progress.hpp"
+#include "tools/evbal/usage_error.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -34,6 +36,7 @@ struct RunArguments {
   std::string out;
   bool quiet = false;
   bool json = false;
+  std::string log_level = "warn";
 };
 
 /// What is shown of runs that are over.
@@ -167,6 +170,7 @@ void play_all_draws(const Draws& draws, const OutFolder& out, bool over_bus, con
 
 void run(const RunArguments& arguments) {
   catch_interrupts();
+  begin_log("evbal", log_level_of(arguments.log_level));
   const Overrides& overrides = arguments.options.overrides;
   const Scenario scenario = read_scenario(find_scenario(arguments.options.scenario), overrides);
   check_planning(scenario);
@@ -198,6 +202,11 @@ void add_run_command(CLI::App& app) {
                       "Run directory, new, empty or of a run that broke off; otherwise one under runs/");
   command->add_flag("--quiet", arguments->quiet, "Without progress; print the run directories only");
   command->add_flag("--json", arguments->json, "Print the results as JSON");
+  command
+      ->add_option(
+          "--log-level", arguments->log_level,
+          "What is logged, to stderr and processes/*.log: debug, info, warn or error, and all that matters more")
+      ->check(one_of_words(log_levels()));
   command->callback([arguments] { run(*arguments); });
 }
 

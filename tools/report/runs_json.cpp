@@ -125,10 +125,20 @@ Json run_json(const ReportedRun& run, const std::string& label) {
                {"wall_seconds", run.wall_seconds},
                {"totals", run.totals},
                {"steps", run.steps},
+               {"timings", Json::array()},
                {"plan_costs", Json::array()},
                {"faults", Json::array()}};
   for (const auto& [term, cost] : run.plan_costs) {
     json["plan_costs"].push_back({{"term", term}, {"cost", cost}});
+  }
+  for (const auto& [process, legs] : run.timings) {
+    for (const Leg& leg : legs) {
+      json["timings"].push_back({{"process", process},
+                                 {"leg", leg.name},
+                                 {"times", leg.times},
+                                 {"seconds", leg.seconds},
+                                 {"longest", leg.longest}});
+    }
   }
   for (const auto& fault : run.faults) {
     json["faults"].push_back(fault_json(run, fault));

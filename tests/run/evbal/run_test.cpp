@@ -2,6 +2,7 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 #include <signal.h>
 
 #include <chrono>
@@ -40,6 +41,23 @@ TEST(Run, LeavesACompleteDirectoryAndATable) {
   EXPECT_NE(ended.out.find("idle km"), std::string::npos);
   EXPECT_NE(ended.err.find("08:00  served"), std::string::npos) << ended.err;
   EXPECT_NE(ended.err.find("[outage]"), std::string::npos) << ended.err;
+}
+
+TEST(Run, TellsWhereTheTimeOfItsTicksGoes) {
+  const CommandLine line;
+  ASSERT_EQ(line.evbal("run morning.yaml --out a --quiet --transport dds --log-level info").status, 0);
+  const auto timings = nlohmann::json::parse(text_of(line.path() / "a" / "summary.json")).at("timings");
+  EXPECT_EQ(timings.size(), 4U) << timings;
+  const int ticks = timings.at("conductor").at("departures").at("times");
+  EXPECT_GT(ticks, 0);
+  EXPECT_EQ(timings.at("agents").at("live").at("times"), 5 * ticks);
+  EXPECT_EQ(timings.at("coordinator").at("plan").at("times"), timings.at("conductor").at("plan").at("times"));
+  EXPECT_TRUE(timings.at("faults").contains("send"));
+  EXPECT_NE(text_of(line.path() / "a/processes/agent-0.log").find(" info agent-0: is participant 3"),
+            std::string::npos);
+  EXPECT_NE(text_of(line.path() / "err.txt").find(" info evbal: 8 processes"), std::string::npos);
+  EXPECT_NE(text_of(line.path() / "a" / "report.html").find("wait for the reports"), std::string::npos);
+  EXPECT_EQ(line.evbal("replay a --quiet").status, 0) << "in one process, which takes other times";
 }
 
 TEST(Run, RecordsWhatAPlanCostsByTerm) {

@@ -100,6 +100,19 @@ function planCosts() {
   return {any: solved.length > 0, table: () => table(head, [...rows, ["objective", ...sums]])};
 }
 
+// Milliseconds of a leg, mean and longest, by process and leg.
+function timings() {
+  const timed = report.runs.map((run, i) => ({run, i})).filter(({run}) => run.timings.length > 0);
+  const keys = [...new Set(timed.flatMap(({run}) => run.timings.map(one => one.process + "\n" + one.leg)))];
+  const shown = (run, key) => {
+    const leg = run.timings.find(one => one.process + "\n" + one.leg === key);
+    return leg === undefined ? "" : number(1000 * leg.seconds / leg.times, 2) + " (" + number(1000 * leg.longest, 1) + ")";
+  };
+  const head = ["process", "leg", ...timed.map(({run, i}) => element("th", "", swatch(i), run.label))];
+  return {any: timed.length > 0, table: () =>
+    table(head, keys.map(key => [...key.split("\n"), ...timed.map(({run}) => shown(run, key))]))};
+}
+
 const dayAxis = () => ({label: "time of day", clock: true,
   domain: [dayStart, dayStart + report.step_minutes * report.runs[0].steps.step.length]});
 
@@ -173,6 +186,11 @@ function addRuns() {
   if (costs.any) {
     section("What a plan costs", element("p", "", "The objective over the horizon by term, mean over the day's plans, in "
       + "km of empty driving."), element("div", "card wide", costs.table()));
+  }
+  const legs = timings();
+  if (legs.any) {
+    section("Where a tick's time goes", element("p", "", "Milliseconds on the wall that each leg of a tick took in each "
+      + "process: mean, and the longest in brackets. All agents count as one."), element("div", "card wide", legs.table()));
   }
   if (report.windows.length > 0) {
     addFaults();
