@@ -2,6 +2,9 @@
 
 #include "common/decimal.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace evbal {
 namespace {
 
@@ -11,6 +14,10 @@ Expect read_one(const YamlValue& item) {
   expect.metric = expectable_metrics()[map.require("metric").one_of(expectable_metrics())];
   const auto at_most = map.find("at_most");
   const auto at_least = map.find("at_least");
+  if (const auto under = map.find("under")) {
+    under->one_of({"search"});
+    expect.under_search = true;
+  }
   map.finish();
   if (at_most.has_value() == at_least.has_value()) {
     throw item.error("expected either `at_most` or `at_least`, such as {metric: lost, at_most: 900}");
@@ -32,6 +39,12 @@ const std::vector<std::string>& expectable_metrics() {
   return names;
 }
 
+std::vector<Expect> of_runs(const std::vector<Expect>& all) {
+  std::vector<Expect> some;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(some), [](const Expect& e) { return !e.under_search; });
+  return some;
+}
+
 std::vector<Expect> read_expect(const YamlValue& list) {
   std::vector<Expect> all;
   for (const auto& item : list.items()) {
@@ -42,7 +55,11 @@ std::vector<Expect> read_expect(const YamlValue& list) {
 
 void write_expect(YamlWriter& yaml, const Expect& expect) {
   yaml.begin_map(YamlWriter::Layout::one_line).key("metric").word(expect.metric);
-  yaml.key(expect.at_most ? "at_most" : "at_least").number(expect.bound).end_map();
+  yaml.key(expect.at_most ? "at_most" : "at_least").number(expect.bound);
+  if (expect.under_search) {
+    yaml.key("under").word("search");
+  }
+  yaml.end_map();
 }
 
 }  // namespace evbal

@@ -68,16 +68,11 @@ std::vector<int> draw_regions(const Target& target, const Draws& draws) {
 
 std::vector<double> draw_magnitudes(const Request& request, const std::vector<int>& regions,
                                     const FaultContext& context, const Draws& draws) {
-  const FaultType& type = *request.type;
   const double drawn = draws(request.magnitude.quantity, Field::magnitude);
-  const bool whole = !type.counts_points() && type.unit != MagnitudeUnit::number;
-  std::vector<double> magnitudes(regions.size(), whole ? std::round(drawn) : drawn);
-  if (type.counts_points()) {
-    for (std::size_t i = 0; i < regions.size(); ++i) {
-      const double points = context.points_per_region[regions[i]];
-      const double failed = request.magnitude.fraction ? drawn * points : drawn;
-      magnitudes[i] = std::clamp(std::round(failed), 1.0, points);
-    }
+  std::vector<double> magnitudes;
+  magnitudes.reserve(regions.size());
+  for (const int region : regions) {
+    magnitudes.push_back(magnitude_in(request, context, region, drawn));
   }
   return magnitudes;
 }
@@ -118,6 +113,15 @@ Fault draw_fault(const Request& request, const FaultContext& context, int start,
 }
 
 }  // namespace
+
+double magnitude_in(const Request& request, const FaultContext& context, int region, double drawn) {
+  const FaultType& type = *request.type;
+  if (!type.counts_points()) {
+    return type.unit == MagnitudeUnit::number ? drawn : std::round(drawn);
+  }
+  const double points = context.points_per_region[region];
+  return std::clamp(std::round(request.magnitude.fraction ? drawn * points : drawn), 1.0, points);
+}
 
 std::vector<Fault> draw_faults(const Request& request, const FaultContext& context, const DrawKey& key) {
   std::vector<Fault> faults;

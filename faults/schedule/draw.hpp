@@ -18,4 +18,7 @@ struct DrawKey {
 /// the fault's name, repetition, field): no fault and no field disturbs another's draws.
 std::vector<Fault> draw_faults(const Request& request, const FaultContext& context, const DrawKey& key);
 
+/// The magnitude of a fault in one region, where `drawn` is a draw of its quantity: points are those of the region.
+double magnitude_in(const Request& request, const FaultContext& context, int region, double drawn);
+
 }  // namespace evbal

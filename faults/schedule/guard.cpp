@@ -107,4 +107,19 @@ void check_guard(const Guard& guard, std::span<const PlacedFault> faults, const 
   }
 }
 
+bool keeps_guard(const Guard& guard, const std::vector<Fault>& faults, const FaultContext& context) {
+  const YamlValue nowhere = YamlValue::parse("{}", "faults");
+  std::vector<PlacedFault> placed;
+  placed.reserve(faults.size());
+  for (const auto& fault : faults) {
+    placed.push_back({fault, nowhere});
+  }
+  try {
+    check_guard(guard, placed, context);
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
 }  // namespace evbal

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace evbal {
 
@@ -25,5 +26,8 @@ Guard read_guard(const YamlValue& value);
 /// Throws Error{bad_input} at the fault that breaks a rule: a name used twice, two faults that exclude each other
 /// at a time, more faults at a time or fewer working points than the guard allows.
 void check_guard(const Guard& guard, std::span<const PlacedFault> faults, const FaultContext& context);
+
+/// Whether faults keep all of these rules.
+bool keeps_guard(const Guard& guard, const std::vector<Fault>& faults, const FaultContext& context);
 
 }  // namespace evbal

@@ -123,6 +123,28 @@ Quantity read_quantity(const YamlValue& value, Unit unit, Range range) {
   return quantity;
 }
 
+Range Quantity::likely() const {
+  constexpr double normal_99 = 2.3263;  // 99 % of a standard normal lie below it
+  constexpr double exponential_1 = 0.01005;
+  constexpr double exponential_99 = 4.6052;  // as of an exponential of mean 1
+  Range most = range;
+  switch (law) {
+    case Law::fixed:
+    case Law::uniform:
+      break;
+    case Law::normal:
+      most = {centre - normal_99 * spread, centre + normal_99 * spread};
+      break;
+    case Law::lognormal:
+      most = {centre * std::exp(-normal_99 * spread), centre * std::exp(normal_99 * spread)};
+      break;
+    case Law::exponential:
+      most = {exponential_1 * centre, exponential_99 * centre};
+      break;
+  }
+  return {std::clamp(most.low, range.low, range.high), std::clamp(most.high, range.low, range.high)};
+}
+
 double Quantity::draw(RandomStream& stream) const {
   double x = centre;
   switch (law) {

@@ -31,6 +31,9 @@ struct Quantity {
   /// Whether it is still to be drawn.
   bool open() const { return law != Law::fixed; }
 
+  /// Where all of its draws lie but the lowest and the highest 1 %; all of them if it is a value or uniform.
+  Range likely() const;
+
   /// A value, within the range.
   double draw(RandomStream& stream) const;
 };

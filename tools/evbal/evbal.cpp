@@ -14,6 +14,7 @@
 #include "tools/evbal/replay_command.hpp"
 #include "tools/evbal/report_command.hpp"
 #include "tools/evbal/run_command.hpp"
+#include "tools/evbal/search_command.hpp"
 #include "tools/evbal/show_command.hpp"
 #include "tools/evbal/slurm_task_command.hpp"
 #include "tools/evbal/study_command.hpp"
@@ -53,6 +54,7 @@ int main(int argc, char** argv) {
   evbal::add_sweep_command(app);
   evbal::add_tune_command(app);
   evbal::add_study_command(app);
+  evbal::add_search_command(app);
   evbal::add_slurm_task_command(app);
   evbal::add_compare_command(app);
   evbal::add_bound_command(app);

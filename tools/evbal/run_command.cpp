@@ -102,7 +102,7 @@ void check_expectations(const Scenario& scenario, const std::vector<RunResult>& 
   std::string failed;
   for (const auto& result : results) {
     for (const auto& [name, value] : named(result.totals)) {
-      for (const auto& expect : scenario.expect) {
+      for (const auto& expect : of_runs(scenario.expect)) {
         if (expect.metric == name && !expect.holds(value)) {
           failed += (failed.empty() ? "" : "; ") + result.controller + ": " + name + " is " + decimal(value) +
                     ", expected " + expect.words();

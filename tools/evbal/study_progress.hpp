@@ -35,7 +35,8 @@ class StudyProgress {
 };
 
 /// Says on stderr which results in a study's file another version or build of evbal played, and whether they are among
-/// the days with these keys. To be called before the study goes on.
+/// the days with these keys. To be called before the study goes on, or at its end by one that does not know its days
+/// before.
 void warn_of_other_programs(const std::filesystem::path& file, const std::vector<std::string>& keys);
 
 }  // namespace evbal

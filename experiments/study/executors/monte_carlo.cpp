@@ -106,7 +106,8 @@ std::string distribution_csv(const std::vector<Drawn>& all) {
 
 /// What decides which draw is worst.
 Expect measure_of_worst(const Scenario& scenario) {
-  return scenario.expect.empty() ? Expect{.metric = "lost"} : scenario.expect.front();
+  const std::vector<Expect> expected = of_runs(scenario.expect);
+  return expected.empty() ? Expect{.metric = "lost"} : expected.front();
 }
 
 std::size_t worst_draw(const Drawn& drawn) {
@@ -134,7 +135,7 @@ DrawnController summary_of(const Drawn& drawn) {
 std::string disappointments(const std::vector<Drawn>& all) {
   std::string failed;
   for (const auto& drawn : all) {
-    for (const auto& expect : drawn.run.scenario.expect) {
+    for (const auto& expect : of_runs(drawn.run.scenario.expect)) {
       const std::vector<double> values = drawn.values(expect.metric);
       const auto misses = std::count_if(values.begin(), values.end(), [&](double x) { return !expect.holds(x); });
       if (misses > 0) {

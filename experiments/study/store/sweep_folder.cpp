@@ -9,7 +9,8 @@ namespace evbal {
 namespace fs = std::filesystem;
 
 SweepFolder::SweepFolder(fs::path folder, const std::string& file) : folder_(std::move(folder)), file_(folder_ / file) {
-  const bool is_ours = fs::exists(folder_ / sweep_file_name) || fs::exists(folder_ / tuning_file_name);
+  const bool is_ours = fs::exists(folder_ / sweep_file_name) || fs::exists(folder_ / tuning_file_name) ||
+                       fs::exists(folder_ / search_file_name);
   if (fs::exists(folder_) && !is_ours && !(fs::is_directory(folder_) && fs::is_empty(folder_))) {
     throw bad_input("--out: " + folder_.string() + " is there and holds no sweep; give a new one");
   }

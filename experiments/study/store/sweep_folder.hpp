@@ -12,13 +12,15 @@ namespace evbal {
 inline constexpr const char* sweep_file_name = "sweep.sqlite";
 /// The file of a tuning's days.
 inline constexpr const char* tuning_file_name = "tuning.sqlite";
+/// The file of a search's days.
+inline constexpr const char* search_file_name = "search.sqlite";
 
-/// The folder that `evbal sweep` or `evbal tune` writes into, held by one process at a time. A sweep and the tuning
-/// that it needs first share it: each has a file of its own for its days.
+/// The folder that `evbal sweep`, `evbal tune` or `evbal search` writes into, held by one process at a time. A sweep
+/// and the tuning that it needs first share it: each has a file of its own for its days.
 class SweepFolder {
  public:
   /// Made if it is missing. `file` is one of the names above. Throws Error{bad_input} if the folder holds
-  /// neither a sweep nor a tuning but something else, or if another process has it.
+  /// something else than a sweep, a tuning or a search, or if another process has it.
   SweepFolder(std::filesystem::path folder, const std::string& file);
 
   /// The folder.

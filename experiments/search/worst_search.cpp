@@ -1,0 +1,112 @@
+#include "experiments/search/worst_search.hpp"
+
+#include "common/random.hpp"
+#include "experiments/search/moves.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace evbal {
+namespace {
+
+/// Schedules that are tried at a time: enough for the cores of most machines, few enough that moves build on moves.
+constexpr std::size_t at_a_time = 8;
+
+/// Trials that moves begin from when so many of `all` moves are made: half as many with each sixth of them, one from
+/// the middle on.
+std::size_t lines_left(std::size_t made, std::size_t all) {
+  const std::size_t most = 8;
+  return std::max<std::size_t>(1, most >> (6 * made / all));
+}
+
+void try_all(std::vector<Trial>& trials, const Harms& harms) {
+  const std::vector<double> harm = harms(trials);
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    trials[i].harm = harm[i];
+  }
+}
+
+bool harms_more(const Trial& a, const Trial& b) {
+  return a.harm > b.harm;
+}
+
+bool tried(const std::vector<Trial>& trials, const Picks& picks) {
+  return std::any_of(trials.begin(), trials.end(), [&](const Trial& trial) { return trial.picks == picks; });
+}
+
+/// Random numbers for a move. The index is one that draws of faults never have.
+RandomStream stream_of(const Ingredients& ingredients, std::size_t number, std::size_t attempt) {
+  return {ingredients.seed, Purpose::fault, {.region = 0, .tick = number, .index = 16 * attempt + 15}};
+}
+
+/// A schedule made from `parent` that was not tried yet, if one is found; else the parent's own.
+Trial child_of(const Ingredients& ingredients, const Trial& parent, const std::vector<Trial>& trials,
+               std::size_t number, std::size_t most_faults) {
+  constexpr std::size_t attempts = 20;
+  for (std::size_t attempt = 0; attempt < attempts; ++attempt) {
+    RandomStream stream = stream_of(ingredients, number, attempt);
+    auto move = moved(ingredients, parent.picks, most_faults, stream);
+    if (move && !tried(trials, move->picks)) {
+      return {.number = number,
+              .stage = "move",
+              .parent = parent.number,
+              .change = std::move(move->change),
+              .picks = std::move(move->picks)};
+    }
+  }
+  return {.number = number, .stage = "move", .parent = parent.number, .change = "none", .picks = parent.picks};
+}
+
+std::vector<Trial> drawn_trials(const Ingredients& ingredients, std::size_t count, const Harms& harms) {
+  std::vector<Trial> trials;
+  for (auto& picks : random_draws(ingredients, count)) {
+    trials.push_back({.number = trials.size() + 1, .stage = "draw", .change = "", .picks = std::move(picks)});
+  }
+  try_all(trials, harms);
+  return trials;
+}
+
+/// Lets each line go on from the best of its children, unless all of them do less harm.
+void advance(std::vector<Trial>& lines, const std::vector<Trial>& children) {
+  for (std::size_t i = 0; i < children.size(); ++i) {
+    Trial& line = lines[i % lines.size()];
+    if (children[i].harm >= line.harm) {
+      line = children[i];
+    }
+  }
+}
+
+}  // namespace
+
+std::size_t first_draws(std::size_t budget) {
+  return std::max<std::size_t>(1, budget / 3);
+}
+
+std::vector<Trial> search_worst(const Ingredients& ingredients, std::size_t budget, const Harms& harms) {
+  const std::size_t draws = first_draws(budget);
+  std::vector<Trial> trials = drawn_trials(ingredients, draws, harms);
+  std::size_t most_faults = 1;
+  for (const auto& trial : trials) {
+    most_faults = std::max(most_faults, trial.picks.size());
+  }
+  std::vector<Trial> lines = trials;
+  while (trials.size() < budget) {
+    std::stable_sort(lines.begin(), lines.end(), harms_more);
+    lines.resize(std::min(lines.size(), lines_left(trials.size() - draws, budget - draws)));
+    std::vector<Trial> children;
+    for (std::size_t i = 0; i < std::min(at_a_time, budget - trials.size()); ++i) {
+      children.push_back(child_of(ingredients, lines[i % lines.size()], trials, trials.size() + i + 1, most_faults));
+    }
+    try_all(children, harms);
+    advance(lines, children);
+    trials.insert(trials.end(), children.begin(), children.end());
+  }
+  return trials;
+}
+
+const Trial& most_harmful(const std::vector<Trial>& trials) {
+  return *std::max_element(trials.begin(), trials.end(),
+                           [](const Trial& a, const Trial& b) { return a.harm < b.harm; });
+}
+
+}  // namespace evbal
