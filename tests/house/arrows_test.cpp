@@ -1,4 +1,6 @@
-// Holds the include arrows of docs/architecture.md: who may know whom, downhill only.
+// Holds the include arrows of arrows.hpp.
+
+#include "tests/house/arrows.hpp"
 
 #include "tests/support/source_folder.hpp"
 
@@ -19,148 +21,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Words = std::vector<std::string>;
-
-struct Room {
-  std::string folder;
-  Words knows;  ///< rooms above it in the table, besides itself
-};
-
-// A program's `main` lies in the folder above its libraries, so "agents" is the room of evbal-agent alone. A row names
-// what the room includes today and nothing more.
-const std::vector<Room>& rooms() {
-  static const std::vector<Room> table = {
-      {"common", {}},
-      {"agents/protocol", {"common"}},
-      {"agents/world", {"common", "agents/protocol"}},
-      {"agents/region", {"common", "agents/protocol", "agents/world"}},
-      {"agents/bus", {"common", "agents/protocol"}},
-      {"agents/hosting", {"common", "agents/protocol", "agents/bus"}},
-      {"agents", {"agents/protocol", "agents/region", "agents/hosting"}},
-      {"faults/schedule", {"common", "agents/protocol"}},
-      {"faults", {"agents/world", "agents/hosting", "faults/schedule"}},
-      {"coordinator/forecast", {"common"}},
-      {"coordinator/ambiguity", {"common", "coordinator/forecast"}},
-      {"coordinator/convex", {"common"}},
-      {"coordinator/balancing", {"common", "coordinator/forecast", "coordinator/ambiguity", "coordinator/convex"}},
-      {"coordinator/planning",
-       {"common", "agents/protocol", "agents/world", "coordinator/forecast", "coordinator/ambiguity",
-        "coordinator/convex", "coordinator/balancing"}},
-      {"coordinator/bridge",
-       {"common", "agents/protocol", "agents/world", "agents/hosting", "coordinator/balancing",
-        "coordinator/planning"}},
-      {"coordinator/serving",
-       {"common", "agents/protocol", "agents/world", "agents/hosting", "faults/schedule", "coordinator/balancing",
-        "coordinator/planning", "coordinator/bridge"}},
-      {"coordinator", {"coordinator/bridge", "coordinator/serving"}},
-      {"experiments/scenario",
-       {"common", "agents/world", "faults/schedule", "coordinator/convex", "coordinator/balancing",
-        "coordinator/planning"}},
-      {"experiments/conductor",
-       {"common", "agents/protocol", "agents/world", "agents/region", "agents/bus", "agents/hosting",
-        "experiments/scenario"}},
-      {"experiments/bound",
-       {"common", "agents/protocol", "agents/world", "faults/schedule", "experiments/scenario",
-        "experiments/conductor"}},
-      {"experiments/metrics", {"common", "agents/protocol"}},
-      {"experiments/record",
-       {"common", "agents/protocol", "faults/schedule", "experiments/scenario", "experiments/metrics"}},
-      {"experiments/progress", {"common", "agents/protocol"}},
-      {"experiments/run",
-       {"common", "agents/protocol", "agents/world", "coordinator/balancing", "coordinator/planning",
-        "coordinator/bridge", "experiments/scenario", "experiments/conductor", "experiments/metrics",
-        "experiments/record"}},
-      {"experiments/study/design", {"common", "coordinator/planning", "experiments/scenario", "experiments/metrics"}},
-      {"experiments/study/store", {"common", "experiments/metrics", "experiments/record", "experiments/study/design"}},
-      {"experiments/study/statistics", {"common", "experiments/metrics", "experiments/study/design"}},
-      {"experiments/study/executors",
-       {"common", "experiments/scenario", "experiments/record", "experiments/run", "experiments/study/design",
-        "experiments/study/store", "experiments/study/statistics"}},
-      {"experiments/search",
-       {"common", "agents/protocol", "faults/schedule", "experiments/scenario", "experiments/metrics",
-        "experiments/study/design", "experiments/study/store", "experiments/study/executors"}},
-      {"tools/records", {"common", "agents/world"}},
-      {"tools/fit",
-       {"common", "agents/world", "coordinator/forecast", "coordinator/balancing", "coordinator/planning",
-        "experiments/conductor"}},
-      {"tools/gps", {"common", "agents/world", "tools/records", "tools/fit"}},
-      {"tools/ingest", {"common", "agents/world", "tools/records"}},
-      {"tools/report",
-       {"common", "agents/world", "coordinator/forecast", "experiments/bound", "experiments/record",
-        "experiments/study/store", "experiments/study/statistics"}},
-      {"tools/samples", {"common", "coordinator/balancing"}},
-      {"tools/verify",
-       {"common", "coordinator/ambiguity", "coordinator/convex", "coordinator/balancing", "coordinator/planning",
-        "experiments/bound", "tools/samples"}},
-      {"tools/bench", {"common", "coordinator/convex", "coordinator/balancing", "tools/samples", "tools/verify"}},
-      {"tools/python",
-       {"common", "agents/protocol", "agents/world", "coordinator/balancing", "experiments/scenario",
-        "experiments/metrics", "experiments/record", "experiments/run", "experiments/study/design",
-        "experiments/study/store"}},
-      {"tools/evbal",
-       {"common",
-        "agents/protocol",
-        "agents/world",
-        "coordinator/convex",
-        "coordinator/balancing",
-        "coordinator/planning",
-        "experiments/scenario",
-        "experiments/conductor",
-        "experiments/bound",
-        "experiments/record",
-        "experiments/progress",
-        "experiments/run",
-        "experiments/study/design",
-        "experiments/study/store",
-        "experiments/study/statistics",
-        "experiments/study/executors",
-        "experiments/search",
-        "tools/fit",
-        "tools/gps",
-        "tools/ingest",
-        "tools/report",
-        "tools/verify"}},
-  };
-  return table;
-}
-
-struct Reserved {
-  std::string include;  ///< beginning of what stands between the quotes or angle brackets
-  Words rooms;          ///< the rooms that may include it
-};
-
-// Third-party names that stay in one place.
-const std::vector<Reserved>& reserved() {
-  static const std::vector<Reserved> table = {
-      {"fastdds/", {"agents/bus"}},
-      {"fastrtps/", {"agents/bus"}},
-      {"fastcdr/", {"agents/bus"}},
-      {"Ip", {"coordinator/convex"}},
-      {"Clp", {"coordinator/convex", "tools/verify"}},
-      {"Coin", {"coordinator/convex"}},
-      {"mrpt/math", {"agents/world"}},
-      {"mrpt/system", {"common"}},
-      {"yaml-cpp/", {"common"}},
-      {"Random123/", {"common"}},
-      {"nlopt", {"coordinator/forecast"}},
-      {"pybind11/", {"tools/python"}},
-      {"SQLiteCpp/", {"experiments/record", "experiments/study/store"}},
-  };
-  return table;
-}
-
-struct Ban {
-  std::string folder;
-  Words includes;
-};
-
-// The problem is mathematics: values in, values out.
-const std::vector<Ban>& bans() {
-  static const std::vector<Ban> table = {
-      {"coordinator/balancing", {"common/clock.hpp", "common/yaml.hpp", "chrono", "filesystem", "fstream", "thread"}},
-  };
-  return table;
-}
+using house::Ban;
+using house::bans;
+using house::Reserved;
+using house::reserved;
+using house::Room;
+using house::rooms;
+using house::Words;
 
 const fs::path& root() {
   static const fs::path path = test::in_source("");
