@@ -6,7 +6,8 @@ foreach(shipped benchmarks cities faults scenarios studies)
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/experiments/${shipped} ${PROJECT_BINARY_DIR}/share/evbal/${shipped} SYMBOLIC)
   install(DIRECTORY experiments/${shipped} DESTINATION share/evbal)
 endforeach()
-install(DIRECTORY examples DESTINATION share/evbal)
+install(DIRECTORY examples DESTINATION share/evbal PATTERN nearest.py EXCLUDE)
+install(PROGRAMS examples/nearest.py DESTINATION share/evbal/examples)
 install(FILES tools/deb/completion.bash DESTINATION share/bash-completion/completions RENAME evbal)
 
 # The guides lie as in the tree, so that they find each other and what they speak of.

@@ -4,15 +4,21 @@
 #include "common/error.hpp"
 #include "coordinator/balancing/controllers.hpp"
 #include "coordinator/bridge/json_lines.hpp"
+#include "coordinator/bridge/library_controller.hpp"
+#include "coordinator/planning/coordinator_command.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <utility>
 
 namespace evbal {
 namespace {
 
-const std::string bridge_program = "evbal-bridge";
+/// Only a program on evbal's libraries, which says what made a plan, may take a name of theirs.
+void check_name(const std::string& controller) {
+  if (std::ranges::find(controllers(), controller, &Controller::name) != controllers().end()) {
+    throw bad_input("`" + controller + "` is a controller of evbal's own; name yours by --controller NAME");
+  }
+}
 
 /// A child process that speaks in lines of JSON.
 class LineController : public ExternalController {
@@ -27,7 +33,7 @@ class LineController : public ExternalController {
     const std::string answer = child_.read("the plan of tick " + std::to_string(tick.tick));
     Plan plan = read_answer(answer, child_.place(), reports, city_);
     if (plan.provenance.controller.empty()) {
-      check_name();
+      check_name(name_);
       plan.provenance.controller = name_;
     }
     plan.tick = tick.tick;
@@ -37,13 +43,6 @@ class LineController : public ExternalController {
   void end() override { child_.end(); }
 
  private:
-  /// Only a program on evbal's libraries, which says what made a plan, may take a name of theirs.
-  void check_name() const {
-    if (std::ranges::find(controllers(), name_, &Controller::name) != controllers().end()) {
-      throw bad_input("`" + name_ + "` is a controller of evbal's own; name yours by --controller NAME");
-    }
-  }
-
   const City& city_;
   std::string name_;
   ChildProcess child_;
@@ -51,15 +50,12 @@ class LineController : public ExternalController {
 
 }  // namespace
 
-Command own_words(Command coordinator) {
-  if (!coordinator.empty() && std::filesystem::path(coordinator.front()).filename() == bridge_program) {
-    coordinator.erase(coordinator.begin());
-  }
-  return coordinator;
-}
-
 std::unique_ptr<ExternalController> start_controller(const World& world, const PlanningSettings& settings,
                                                      const std::string& scenario, int errors) {
+  if (is_library(own_words(settings.coordinator))) {
+    check_name(settings.controller);
+    return load_library(world, settings);
+  }
   return std::make_unique<LineController>(world, settings, scenario, errors);
 }
 

@@ -29,12 +29,10 @@ class ExternalController {
   virtual void end() {}
 };
 
-/// The controller's own words in a command: without `evbal-bridge`, which a child in lines needs on the bus alone.
-Command own_words(Command coordinator);
-
-/// Starts the controller that `settings.coordinator` names, a child process that speaks in lines of JSON
-/// (json_lines.hpp); its stderr is the open file `errors`. `scenario` is the resolved scenario's text; `world` must
-/// outlive the controller. Throws Error{run_failed} if it cannot be started.
+/// Starts the controller that `settings.coordinator` names: a shared library in this process (evbal_controller.h), or a
+/// child process that speaks in lines of JSON (json_lines.hpp), whose stderr is the open file `errors`. `scenario` is
+/// the resolved scenario's text; `world` must outlive the controller. Throws Error{bad_input} or Error{run_failed} if
+/// it cannot be started.
 std::unique_ptr<ExternalController> start_controller(const World& world, const PlanningSettings& settings,
                                                      const std::string& scenario, int errors = STDERR_FILENO);
 

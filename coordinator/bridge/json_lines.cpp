@@ -183,7 +183,6 @@ json json_of_parameters(const ControllerParameters& parameters) {
   return out;
 }
 
-/// Whether controllers are told of an effect: demand that is announced, and faults of their solver.
 bool is_told(const Effect& effect) {
   const bool demand = effect.type == EffectType::demand_scale || effect.type == EffectType::demand_add;
   return (effect.visible && demand) || family_of(effect.type) == FaultFamily::solver;
@@ -201,10 +200,14 @@ std::string opening_line(const World& world, const PlanningSettings& settings, c
   return line.dump();
 }
 
-std::string question_line(const Tick& tick, const std::vector<Report>& reports) {
+std::vector<Effect> told_effects(const Tick& tick) {
   std::vector<Effect> told;
   std::ranges::copy_if(tick.effects, std::back_inserter(told), is_told);
-  return json{{"tick", tick.tick}, {"reports", json_of(reports)}, {"effects", json_of(told)}}.dump();
+  return told;
+}
+
+std::string question_line(const Tick& tick, const std::vector<Report>& reports) {
+  return json{{"tick", tick.tick}, {"reports", json_of(reports)}, {"effects", json_of(told_effects(tick))}}.dump();
 }
 
 Plan read_answer(const std::string& line, const std::string& place, const std::vector<Report>& reports,

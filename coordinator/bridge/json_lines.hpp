@@ -16,7 +16,10 @@ namespace evbal {
 /// text of the resolved scenario.
 std::string opening_line(const World& world, const PlanningSettings& settings, const std::string& scenario);
 
-/// A plan is due: the reports that came, without their origin, and the effects that a controller is told of.
+/// The effects in a tick that controllers are told of: demand that is announced, and faults of their solver.
+std::vector<Effect> told_effects(const Tick& tick);
+
+/// A plan is due: the reports that came, without their origin, and told_effects.
 std::string question_line(const Tick& tick, const std::vector<Report>& reports);
 
 /// The plan in the child's answer, with moves by (errand, from, to), and provenance if the child gives one. Throws

@@ -159,10 +159,9 @@ std::string read_controller(const YamlValue& value, const Command& coordinator) 
 
 PlanningSettings read_planning(YamlMap& scenario, const std::optional<Command>& coordinator) {
   PlanningSettings out;
-  if (const auto command = scenario.find("coordinator")) {
-    out.coordinator = read_command(*command);
-  }
-  out.coordinator = coordinator.value_or(out.coordinator);
+  const auto command = scenario.find("coordinator");
+  const Command given = command ? read_command(*command) : Command{};
+  out.coordinator = coordinator.value_or(given);
   if (const auto parameters = scenario.find("parameters")) {
     if (out.coordinator.empty() && !coordinator) {
       throw parameters->error("`parameters` are of a `coordinator`; those of evbal's controllers are `balancing`");
@@ -170,7 +169,7 @@ PlanningSettings read_planning(YamlMap& scenario, const std::optional<Command>& 
     out.parameters = out.coordinator.empty() ? ControllerParameters{} : read_parameters(*parameters);
   }
   if (const auto controller = scenario.find("controller")) {
-    out.controller = read_controller(*controller, out.coordinator);
+    out.controller = read_controller(*controller, out.coordinator.empty() ? given : out.coordinator);
   }
   if (const auto engine = scenario.find("engine")) {
     out.engine.name = engine_names()[engine->one_of(engine_names())];

@@ -30,10 +30,10 @@ struct PlanningSettings {
   BalancingParameters balancing;      ///< prices and bounds of the problem
 };
 
-/// Reads the planning keys of a scenario: controller, coordinator, parameters, engine, iterations, model, innovation_test,
-/// balancing. All may be left out; `model: pack`, the default, is the file beside the city's pack, another path is
-/// relative to the scenario's file. If `coordinator` is given, the scenario's is not used. Throws Error{bad_input} with
-/// file, line and reason.
+/// Reads the planning keys of a scenario: controller, coordinator, parameters, engine, iterations, model,
+/// innovation_test, balancing. All may be left out; `model: pack`, the default, is the file beside the city's pack,
+/// another path is relative to the scenario's file. `coordinator`, if it is given, stands in place of the scenario's;
+/// an empty one has no parameters either. Throws Error{bad_input} with file, line and reason.
 PlanningSettings read_planning(YamlMap& scenario, const std::optional<Command>& coordinator = {});
 
 /// Reads the command of a coordinator, a list of words; paths are relative to the file. Throws Error{bad_input}.

@@ -2,9 +2,8 @@
 
 #include "common/error.hpp"
 #include "common/files.hpp"
-#include "common/installation.hpp"
 #include "common/interrupt.hpp"
-#include "coordinator/bridge/external_controller.hpp"
+#include "coordinator/planning/coordinator_command.hpp"
 #include "experiments/conductor/dds_players.hpp"
 #include "experiments/conductor/empty_folder.hpp"
 #include "experiments/conductor/inproc_players.hpp"
@@ -22,26 +21,18 @@
 namespace evbal {
 namespace {
 
-/// The coordinator's command with its program as it will be started on the bus or without one. Throws Error{bad_input}
-/// if there is no such program.
-Command startable(Command command, const std::string& transport) {
-  if (transport == "inproc") {
-    command = own_words(std::move(command));
-  }
+/// The coordinator's command on the bus, with its program as it will be started. Throws Error{bad_input} if there is no
+/// such program.
+Command startable(const Command& coordinator) {
+  Command command = on_the_bus(coordinator);
   if (!command.empty()) {
-    const auto program = find_program(command.front());
-    if (program.empty()) {
-      throw bad_input("coordinator `" + shown(command) + "`: there is no program `" + command.front() +
-                      "`; give its path, or the name of one beside evbal or in $PATH");
-    }
-    command.front() = program.string();
+    command.front() = file_of(command).string();
   }
   return command;
 }
 
 InprocPlayers::Planner plans_of(const Scenario& scenario, const std::filesystem::path& folder) {
   if (!scenario.planning.coordinator.empty()) {
-    startable(scenario.planning.coordinator, "inproc");
     return external_plans(scenario, folder);
   }
   return [planner = planner_of(scenario)](const Tick& tick, const std::vector<Report>& reports) {
@@ -56,7 +47,7 @@ std::unique_ptr<Players> players_of(const Scenario& scenario, const std::filesys
                                                .regions = scenario.world.city.size(),
                                                .regions_per_process = scenario.regions_per_process,
                                                .world = &scenario.world,
-                                               .coordinator = startable(scenario.planning.coordinator, transport),
+                                               .coordinator = startable(scenario.planning.coordinator),
                                                .network = scenario.network,
                                                .seed = scenario.world.seed,
                                                .profiles = scenario.dds_profiles});
@@ -151,8 +142,11 @@ Scenario without_faults(Scenario scenario) {
 }
 
 void check_planning(const Scenario& scenario) {
-  if (startable(scenario.planning.coordinator, scenario.transport).empty()) {
+  const Command& coordinator = scenario.planning.coordinator;
+  if (coordinator.empty()) {
     planner_of(scenario);
+  } else {
+    file_of(scenario.transport == "dds" ? startable(coordinator) : own_words(coordinator));
   }
 }
 
@@ -161,11 +155,14 @@ RunResult record_day(const Scenario& scenario, const std::string& resolved, cons
   try {
     return play_and_record(scenario, resolved, folder, stage);
   } catch (const Error& error) {
-    if (scenario.planning.coordinator.empty() || stage.transport == "inproc") {
+    const Command& coordinator = scenario.planning.coordinator;
+    if (coordinator.empty() || stage.transport == "inproc") {
       throw;
     }
+    const bool bridged = own_words(coordinator) != coordinator || is_library(coordinator);
+    const std::string hint = bridged ? "" : "; one that speaks in lines needs `evbal-bridge` before it on the bus";
     throw Error(error.status(),
-                std::string(error.what()) + " (the coordinator is `" + shown(scenario.planning.coordinator) + "`)");
+                std::string(error.what()) + " (the coordinator is `" + shown(coordinator) + "`" + hint + ")");
   }
 }
 

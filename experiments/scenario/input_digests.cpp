@@ -1,7 +1,7 @@
 #include "experiments/scenario/input_digests.hpp"
 
 #include "common/digest.hpp"
-#include "common/installation.hpp"
+#include "coordinator/planning/coordinator_command.hpp"
 
 #include <map>
 
@@ -20,14 +20,16 @@ std::string model_digest(const fs::path& file) {
 }
 
 std::string command_digest(const Command& coordinator) {
-  std::string digests;
-  for (const auto& word : coordinator) {
-    const fs::path program = digests.empty() ? find_program(word) : fs::path();
-    const fs::path file = program.empty() ? fs::path(word) : program;
-    std::error_code unreadable;
-    digests += (fs::is_regular_file(file, unreadable) ? file_digest(file) : "-") + "\n";
+  if (coordinator.empty()) {
+    return "";
   }
-  return digests.empty() ? "" : text_digest(digests);
+  const Command words = own_words(coordinator);
+  std::string digests = file_digest(file_of(words)) + "\n";
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    std::error_code unreadable;
+    digests += (fs::is_regular_file(words[i], unreadable) ? file_digest(words[i]) : "-") + "\n";
+  }
+  return text_digest(digests);
 }
 
 std::string pack_digest(const fs::path& folder) {

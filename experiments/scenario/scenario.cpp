@@ -21,9 +21,11 @@ std::vector<std::string> read_controllers(YamlMap& map, const PlanningSettings& 
   if (map.find("controller")) {
     throw list->error("`controller` and `controllers` are both given; keep one");
   }
+  const auto command = map.find("coordinator");
+  const Command knows = planning.coordinator.empty() && command ? read_command(*command) : planning.coordinator;
   std::vector<std::string> controllers;
   for (const auto& item : list->items()) {
-    controllers.push_back(read_controller(item, planning.coordinator));
+    controllers.push_back(read_controller(item, knows));
     if (std::count(controllers.begin(), controllers.end(), item.text()) > 1) {
       throw item.error("controller `" + item.text() + "` is given twice");
     }

@@ -182,6 +182,10 @@ TEST_F(ScenarioFile, AnotherCoordinatorMayHaveOtherControllers) {
   const Scenario one = read_scenario(file, {.controller = "third", .coordinator = Command{"bridge"}});
   EXPECT_EQ(read_scenario(write(resolved_yaml(one, "third"))).planning.coordinator, Command{"bridge"});
   EXPECT_EQ(read_scenario(file, {.coordinator = Command{"bridge"}, .transport = "inproc"}).transport, "inproc");
+  const fs::path own = write(head + "controllers: [mine]\ncoordinator: [bridge]\nparameters: {reach: 3}\n");
+  const Scenario without = read_scenario(own, {.controller = "greedy", .coordinator = Command{}});
+  EXPECT_EQ(without.planning.controller, "greedy") << "evbal's own beside those of a scenario's coordinator";
+  EXPECT_TRUE(without.planning.parameters.empty());
   expect_refused([&] { read_scenario(file, {.controller = "a b", .coordinator = Command{"bridge"}}); }, "--controller",
                  "`a b` is no name");
 }

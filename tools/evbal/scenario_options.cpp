@@ -43,7 +43,7 @@ void add_scenario_options(CLI::App& command, ScenarioOptions& options) {
   command
       .add_option_function<std::string>(
           "--coordinator", [&overrides](const std::string& text) { overrides.coordinator = words_of(text); },
-          "Program that makes the plans in place of evbal-coordinator, with its words")
+          "Program or library that makes the plans in place of evbal-coordinator, with its words")
       ->type_name("COMMAND");
   command.add_option("--transport", overrides.transport, "dds: processes on a bus; inproc: one process")
       ->check(one_of_words({"dds", "inproc"}));

@@ -100,5 +100,48 @@ TEST_F(OwnController, PrintsIntoTheRunsLog) {
   EXPECT_NE(log.find("on stderr\n"), std::string::npos) << log;
 }
 
+const std::string built = EVBAL_OWN_CONTROLLERS;
+
+TEST_F(OwnController, InASharedLibraryPlansAsInPython) {
+  const std::string more =
+      "--controller mine --set charging.top_up=true --set parameters.reach=6 "
+      "--set parameters.ahead=0.7";
+  ASSERT_EQ(run("python3 nearest.py", more).status, 0) << text_of(line_.path() / "err.txt");
+  const std::string digest = line_.summary("run", "digest");
+  EXPECT_GT(std::stoi(line_.summary("run", "top_ups")), 0);
+  ASSERT_EQ(run(built + "/libnearest.so", more).status, 0) << text_of(line_.path() / "err.txt");
+  EXPECT_EQ(line_.summary("run", "digest"), digest);
+  EXPECT_EQ(line_.evbal("replay run --quiet").status, 0) << text_of(line_.path() / "err.txt");
+  ASSERT_EQ(run(built + "/libnearest.so", more, "morning.yaml --transport dds").status, 0)
+      << text_of(line_.path() / "err.txt");
+  EXPECT_EQ(line_.summary("run", "digest"), digest);
+  ASSERT_EQ(run("python3 nearest.py").status, 0);
+  EXPECT_NE(line_.summary("run", "digest"), digest) << "with other parameters";
+}
+
+TEST_F(OwnController, InASharedLibraryIsHeldToTheSame) {
+  const auto expect_wrong = [&](const std::string& fault, int status, const std::string& words) {
+    const Ended ended = run(built + "/libfaulty.so", "--controller mine --set parameters.fault=" + fault);
+    EXPECT_EQ(ended.status, status) << ended.err;
+    EXPECT_NE(ended.err.find("libfaulty.so`" + words), std::string::npos) << ended.err;
+    EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
+  };
+  EXPECT_EQ(run(built + "/libfaulty.so", "--controller mine").status, 0) << text_of(line_.path() / "err.txt");
+  expect_wrong("create", 3, ": evbal_create made no controller");
+  expect_wrong("refuse", 3, ": evbal_plan gave -1 for tick 0");
+  expect_wrong("region", 2, ": moves[0].to: a region from 0 to 4 is expected, not 5");
+  expect_wrong("errand", 2, ": moves[0].errand: `rebalance` or `charge` is expected");
+  expect_wrong("count", 2, ": moves[0].count: region 0 has");
+  expect_wrong("twice", 2, ": moves: rebalance from 0 to 1 is given twice");
+  expect_wrong("room", 2, ": there is room for 50 moves, not 51");
+  line_write("empty.so", "");
+  const Ended empty = run("./empty.so");
+  EXPECT_EQ(empty.status, 2);
+  EXPECT_NE(empty.err.find("is no library that can be loaded"), std::string::npos) << empty.err;
+  const Ended missing = run("./none.so");
+  EXPECT_EQ(missing.status, 2);
+  EXPECT_NE(missing.err.find("there is no library"), std::string::npos) << missing.err;
+}
+
 }  // namespace
 }  // namespace evbal
