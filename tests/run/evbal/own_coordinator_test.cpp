@@ -86,7 +86,7 @@ TEST_F(OwnCoordinator, MayBeEvbalsOwnProgram) {
 TEST_F(OwnCoordinator, IsNamedIfItCannotTakePart) {
   expect_broken("no-such-program", 2, "there is no program `no-such-program`");
   expect_broken("evbal-coordinator", 3, "this coordinator has no controller `mine`");
-  expect_broken("evbal-bridge no-such-program", 3, "`no-such-program` cannot be started: No such file or directory");
+  expect_broken("evbal-bridge no-such-program", 2, "there is no program `no-such-program`");
   expect_broken("evbal-bridge python3 -c exit(7)", 3, "ended with status 7");
   expect_broken("false", 3, "ended with status 1");
 }
