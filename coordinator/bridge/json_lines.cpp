@@ -240,10 +240,10 @@ std::string read_opening(const std::string& line) {
   return JsonObject(parsed, "the first line", "").text("scenario");
 }
 
-Question read_question(const std::string& line) {
+PlanRequest read_question(const std::string& line) {
   const json parsed = parse_json(line, "a question");
   JsonObject in(parsed, "a question", "");
-  Question question;
+  PlanRequest question;
   question.tick.tick = in.integer("tick", 0, std::numeric_limits<int>::max());
   for (JsonObject& report : in.objects("reports")) {
     question.reports.push_back(read_message<Report>(report));

@@ -29,7 +29,7 @@ Plan read_answer(const std::string& line, const std::string& place, const std::v
                  const City& city);
 
 /// What a child on evbal's libraries reads of a question.
-struct Question {
+struct PlanRequest {
   Tick tick;                    ///< with the effects that a controller is told of
   std::vector<Report> reports;  ///< that came
 };
@@ -38,7 +38,7 @@ struct Question {
 std::string read_opening(const std::string& line);
 
 /// Reads question_line. Throws Error{bad_input} if the line is anything else.
-Question read_question(const std::string& line);
+PlanRequest read_question(const std::string& line);
 
 /// The answer of a child on evbal's libraries.
 std::string answer_line(const Plan& plan);

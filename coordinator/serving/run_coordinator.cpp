@@ -75,7 +75,7 @@ void answer_lines(const std::vector<Controller>& own) {
   const World world = read_world(scenario);
   const auto planner = planner_of(scenario, world, own);
   while (std::getline(std::cin, line)) {
-    const Question question = read_question(line);
+    const PlanRequest question = read_question(line);
     std::cout << answer_line(planner->plan(question.tick, question.reports)) << '\n' << std::flush;
   }
 }

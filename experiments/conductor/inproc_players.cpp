@@ -53,9 +53,8 @@ void InprocPlayers::live(const Tick& tick, Exchange& said) {
 Exchange InprocPlayers::play(const Tick& tick) {
   Exchange said = report(tick);
   if (tick.plan_due && !tick.unattended) {
-    said.plan = legs().time("plan", [&] {
-      return with_origin([&] { return planner_(tick, heard_in_time(tick, said.reports)); });
-    });
+    said.plan = legs().time(
+        "plan", [&] { return with_origin([&] { return planner_(tick, heard_in_time(tick, said.reports)); }); });
   }
   live(tick, said);
   return said;

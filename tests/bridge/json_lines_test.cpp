@@ -124,7 +124,7 @@ TEST(BridgeLines, BringBothSidesTheSame) {
   Tick tick;
   tick.tick = 4;
   tick.effects = {{.fault = 2, .type = EffectType::solver_starve, .magnitude = 0.1}};
-  const Question heard = read_question(question_line(tick, reports()));
+  const PlanRequest heard = read_question(question_line(tick, reports()));
   EXPECT_EQ(heard.tick.tick, 4);
   EXPECT_EQ(heard.tick.effects.at(0).magnitude, 0.1);
   EXPECT_EQ(question_line(heard.tick, heard.reports), question_line(tick, reports()));

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,22 @@ TEST(Sources, HeadersHaveNamesOfTheirOwn) {
     if (file.extension() == ".hpp") {
       const auto [other, is_new] = seen.emplace(file.filename().string(), file);
       EXPECT_TRUE(is_new) << file << " and " << other->second;
+    }
+  }
+}
+
+// Two types of one name in one namespace are one to the linker, in whatever program has both.
+TEST(Sources, TypesHaveNamesOfTheirOwn) {
+  const std::regex type(R"(^(?:struct|class|enum class) (\w+)(?: final)?(?: : [^;]*)? \{$)");
+  std::map<std::string, fs::path> seen;
+  for (const auto& file : all_sources()) {
+    const bool of_tests = file.string().starts_with(test::in_source("tests").string());
+    std::ifstream stream(file);
+    for (std::string line; file.extension() == ".hpp" && !of_tests && std::getline(stream, line);) {
+      if (std::smatch found; std::regex_match(line, found, type)) {
+        const auto [other, is_new] = seen.emplace(found[1], file);
+        EXPECT_TRUE(is_new) << found[1] << ": " << file << " and " << other->second;
+      }
     }
   }
 }

@@ -83,7 +83,8 @@ TEST(Completion, OfWhatIsListed) {
 }
 
 TEST(Completion, OfWhatHelpShowsInBraces) {
-  EXPECT_EQ(offered("list \"\""), (Words{"benchmarks", "cities", "controllers", "faults", "metrics", "scenarios", "studies"}));
+  EXPECT_EQ(offered("list \"\""),
+            (Words{"benchmarks", "cities", "controllers", "faults", "metrics", "scenarios", "studies"}));
   EXPECT_EQ(offered("run --transport \"\""), (Words{"dds", "inproc"}));
   EXPECT_EQ(offered("run --engine \"\""), (Words{"cuts", "ipopt"}));
 }
