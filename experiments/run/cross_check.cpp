@@ -1,12 +1,11 @@
 #include "experiments/run/cross_check.hpp"
 
 #include "common/interrupt.hpp"
+#include "experiments/conductor/inproc_players.hpp"
 #include "experiments/run/scenario_planner.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <vector>
 
 namespace evbal {
 namespace {
@@ -30,16 +29,6 @@ Balancer checking(const PlanningSettings& settings, CrossChecked& checked) {
   };
 }
 
-/// The reports that the coordinator heard.
-std::vector<Report> heard(const TickRecord& record) {
-  std::vector<Report> reports;
-  const auto& unheard = record.tick.unheard;
-  std::copy_if(
-      record.exchange.reports.begin(), record.exchange.reports.end(), std::back_inserter(reports),
-      [&](const Report& report) { return std::find(unheard.begin(), unheard.end(), report.region) == unheard.end(); });
-  return reports;
-}
-
 }  // namespace
 
 std::optional<CrossChecked> cross_check(const Scenario& scenario, std::span<const TickRecord> ticks) {
@@ -51,7 +40,7 @@ std::optional<CrossChecked> cross_check(const Scenario& scenario, std::span<cons
   const auto planner = planner_of(scenario, checking(scenario.planning, checked));
   for (const TickRecord& record : ticks) {
     if (record.exchange.plan) {
-      planner->plan(record.tick, heard(record));
+      planner->plan(record.tick, heard_in_time(record.tick, record.exchange.reports));
       check_interrupt();
     }
     const bool any = checked.plans + checked.unsolved > 0;
