@@ -1,4 +1,4 @@
-"""Days stepped from Python. Run by `python3 -m evbal -m unittest` with the package in PYTHONPATH and EVBAL, the path of the
+"""Days stepped from Python. Run by `python3 -m unittest` with the package in PYTHONPATH and EVBAL, the path of the
 program evbal."""
 
 import json
@@ -17,6 +17,18 @@ import numpy as np
 import evbal
 
 PROGRAM = os.environ["EVBAL"]
+
+
+ROBUST_DAY = """
+import json, evbal
+day = evbal.Day("toy.yaml", seed=3)
+robust = evbal.Controller("robust", day)
+observation, info = day.reset()
+done = False
+while not done:
+    observation, _, done, _, info = day.step(robust(observation))
+print(json.dumps({"digest": info["digest"], "totals": {"lost": int(info["totals"]["lost"])}}))
+"""
 
 
 def run_evbal(*words):
@@ -70,9 +82,10 @@ class Days(unittest.TestCase):
         self.assertEqual(day.reset(options={"day": "2024-01-12"})[1]["day"], "2024-01-12")
 
     def test_planned_by_robust_have_the_digest_of_the_program(self):
-        day = evbal.Day("toy.yaml", seed=3)
-        robust = evbal.Controller("robust", day)
-        _, info = play(day, robust)
+        # In a Python of its own, since only there the environment is the program's, whoever runs this test.
+        stepped = subprocess.run([sys.executable, "-m", "evbal", "-c", ROBUST_DAY], capture_output=True, text=True, timeout=120)
+        self.assertEqual(stepped.returncode, 0, stepped.stderr)
+        info = json.loads(stepped.stdout)
         with tempfile.TemporaryDirectory() as folder:
             ran = run_evbal("run", "toy.yaml", "--controller", "robust", "--seed", "3", "--transport", "inproc", "--quiet",
                             "--out", f"{folder}/run")  # fmt: skip
