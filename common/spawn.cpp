@@ -13,6 +13,9 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <vector>
 
 namespace evbal {
@@ -35,7 +38,8 @@ void arrange_files(const StandardStreams& streams, int failure) {
 }
 
 /// In the new process, where other threads may have held any lock: nothing but system calls.
-[[noreturn]] void become(char* const* words, const StandardStreams& streams, int failure, pid_t parent) {
+[[noreturn]] void become(char* const* words, char* const* environment, const StandardStreams& streams, int failure,
+                         pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) {
     _exit(EXIT_FAILURE);
@@ -46,26 +50,68 @@ void arrange_files(const StandardStreams& streams, int failure) {
   sigprocmask(SIG_SETMASK, &none, nullptr);
   std::signal(SIGPIPE, SIG_DFL);
   arrange_files(streams, failure);
-  execvp(words[0], words);
+  execvpe(words[0], words, environment);
   const int error = errno;
   [[maybe_unused]] const ssize_t told = write(STDERR_FILENO + 1, &error, sizeof error);
   _exit(EXIT_FAILURE);
 }
 
+/// As exec has it.
+char* word(const std::string& text) {
+  return const_cast<char*>(text.c_str());  // NOLINT(cppcoreguidelines-pro-type-const-cast)
+}
+
+/// Whether the process of that folder in /proc was started with `mark`; not, if it is not this user's or has ended.
+bool is_marked(const std::filesystem::path& process, const std::string& mark) {
+  std::ifstream environment(process / "environ", std::ios::binary);
+  std::string assignment;
+  while (std::getline(environment, assignment, '\0')) {
+    if (assignment == mark) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Kills who is marked now, and says whether there was anybody.
+bool kill_marked_once(const std::string& mark) {
+  bool found = false;
+  std::error_code ended_meanwhile;
+  for (const auto& process : std::filesystem::directory_iterator("/proc", ended_meanwhile)) {
+    const std::string name = process.path().filename();
+    if (std::ranges::all_of(name, [](char c) { return c >= '0' && c <= '9'; }) && is_marked(process.path(), mark)) {
+      found = kill(static_cast<pid_t>(std::stol(name)), SIGKILL) == 0 || found;
+    }
+  }
+  return found;
+}
+
 }  // namespace
 
-pid_t spawn(const Command& command, const StandardStreams& streams) {
+void kill_marked(const std::string& mark) {
+  constexpr int rounds = 100;  // a process may start another while this one looks
+  for (int i = 0; i < rounds && kill_marked_once(mark); ++i) {
+  }
+}
+
+pid_t spawn(const Command& command, const StandardStreams& streams, const std::string& mark) {
   std::vector<char*> words;
   words.reserve(command.size() + 1);
-  for (const auto& word : command) {
-    words.push_back(const_cast<char*>(word.c_str()));  // NOLINT(cppcoreguidelines-pro-type-const-cast): as exec has it
-  }
+  std::ranges::transform(command, std::back_inserter(words), word);
   words.push_back(nullptr);
+  std::vector<char*> environment;
+  for (char** assignment = environ; *assignment != nullptr; ++assignment) {
+    environment.push_back(*assignment);
+  }
+  if (!mark.empty()) {
+    environment.push_back(word(mark));
+  }
+  environment.push_back(nullptr);
   Pipe failure;
   const pid_t parent = getpid();
   const pid_t id = fork();
   if (id == 0) {
-    become(words.data(), streams, failure.write_end(), parent);
+    become(words.data(), environment.data(), streams, failure.write_end(), parent);
   }
   int error = id < 0 ? errno : 0;
   failure.close_write_end();

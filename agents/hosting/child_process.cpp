@@ -45,6 +45,12 @@ std::string in_words(std::chrono::milliseconds time) {
   return std::to_string(std::chrono::duration_cast<std::chrono::seconds>(time).count()) + " s";
 }
 
+/// An assignment for the environment of one child, that no other's has.
+std::string new_mark() {
+  static std::atomic<int> children = 0;
+  return "EVBAL_CHILD=" + std::to_string(getpid()) + "-" + std::to_string(++children);
+}
+
 /// The beginning of what was said, fit for a message.
 std::string beginning(const std::string& text) {
   std::string shown = text.substr(0, std::min<std::size_t>(text.find('\n'), 40));
@@ -56,9 +62,9 @@ std::string beginning(const std::string& text) {
 }  // namespace
 
 ChildProcess::ChildProcess(Command command, int errors, std::chrono::milliseconds patience)
-    : command_(std::move(command)), errors_(errors), patience_(patience) {
+    : command_(std::move(command)), errors_(errors), patience_(patience), mark_(new_mark()) {
   std::signal(SIGPIPE, SIG_IGN);
-  id_ = spawn(as_found(command_), {.input = to_.read_end(), .output = from_.write_end(), .errors = errors_});
+  id_ = spawn(as_found(command_), {.input = to_.read_end(), .output = from_.write_end(), .errors = errors_}, mark_);
   to_.close_read_end();
   from_.close_write_end();
   fcntl(to_.write_end(), F_SETFL, O_NONBLOCK);
@@ -196,11 +202,12 @@ void ChildProcess::pass_on() {
   heard_.clear();
 }
 
-/// Kills the child and all of its group, and gives the status with which it has ended.
+/// Kills the child and all whom it has started, and gives the status with which it has ended.
 int ChildProcess::kill_now() {
   if (id_ != 0) {
     kill(-id_, SIGKILL);  // also one that has only closed its output
     waitpid(std::exchange(id_, 0), &ended_with_, 0);
+    kill_marked(mark_);  // also those who have left the group
   }
   return ended_with_;
 }

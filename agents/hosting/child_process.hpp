@@ -14,7 +14,7 @@
 namespace evbal {
 
 /// A process that reads lines from its standard input and answers in lines on its standard output. It ends with this
-/// process, however this one ends, and no process of its group outlives it.
+/// process, however this one ends, and no process that it has started, and so on, outlives it.
 class ChildProcess {
  public:
   /// `command`: program, as find_program finds it, and arguments. Its stderr is the open file `errors`;
@@ -61,6 +61,7 @@ class ChildProcess {
   Pipe from_;
   std::atomic<bool> ending_ = false;
   std::mutex mutex_;    ///< for all but ending_; held for a moment at a time
+  std::string mark_;    ///< in the environment of the child and of all whom it starts
   pid_t id_ = 0;        ///< 0 once it has ended
   int ended_with_ = 0;  ///< status, once it has
   std::string heard_;   ///< and not yet read

@@ -108,5 +108,17 @@ TEST(ChildProcess, LeavesNobodyBehindWhomItForked) {
   EXPECT_FALSE(stays(text_of(id)));
 }
 
+TEST(ChildProcess, LeavesNobodyBehindWhoHasLeftItsGroup) {
+  const Folder folder;
+  const std::string id = (folder.path() / "id.txt").string();
+  {
+    ChildProcess child(shell("setsid sh -c 'echo $$ >" + id + "; sleep 60 & wait' & until [ -s " + id +
+                             " ]; do sleep 0.01; done; read line; echo answer; read line"));
+    child.write("question");
+    EXPECT_EQ(child.read("the plan"), "answer");
+  }
+  EXPECT_FALSE(stays(text_of(id)));
+}
+
 }  // namespace
 }  // namespace evbal
