@@ -74,6 +74,17 @@ RC_GTEST_PROP(FrontGap, IsTheMeanLogOfTheRatio, ()) {
   RC_ASSERT(std::abs(gap->value - back->reference) < 1e-9);
 }
 
+TEST(FrontGap, OfAPointIsTakenAtItsOwnCost) {
+  const std::vector<FrontPoint> front = {{10, 100}, {20, 60}};
+  const auto gap = front_gap({{15, 40}}, front, true);
+  ASSERT_TRUE(gap.has_value());
+  EXPECT_EQ(gap->reference, 80);
+  EXPECT_DOUBLE_EQ(gap->log_ratio, std::log(40.5 / 80.5));
+  EXPECT_DOUBLE_EQ(front_gap(front, {{15, 40}}, true)->log_ratio, -gap->log_ratio);
+  EXPECT_FALSE(front_gap({{21, 40}}, front, true));
+  EXPECT_FALSE(front_gap({{15, 40}}, front)) << "a front that shrank to a point on some day covers no range";
+}
+
 TEST(FrontGap, IsNoneWithoutARangeInCommon) {
   EXPECT_FALSE(front_gap({{10, 5}, {20, 1}}, {{20, 5}, {30, 1}}));
   EXPECT_FALSE(front_gap({}, {{20, 5}, {30, 1}}));

@@ -5,7 +5,6 @@
 #include "common/version.hpp"
 #include "coordinator/planning/json_reader.hpp"
 #include "experiments/study/design/benchmark.hpp"
-#include "experiments/study/statistics/comparison.hpp"
 #include "experiments/study/statistics/front_comparison.hpp"
 #include "tools/evbal/bounded_days.hpp"
 
@@ -67,34 +66,11 @@ StudyResult with_interval(StudyResult result, const Interval& interval) {
   return result;
 }
 
-bool makes_a_front(const Sweep& sweep) {
-  std::set<std::map<std::string, std::string>> points;
-  for (const SweptDay& day : sweep.days) {
-    if (day.variant == entry_variant) {
-      points.insert(day.settings);
-    }
-  }
-  return points.size() > 1;
-}
-
 std::vector<StudyResult> fronts_of(const StudiedPart& part, const std::vector<FinishedDay>& days) {
   std::vector<StudyResult> results;
   for (const ComparedFronts& row : compare_fronts(days, {.reference = reference_variant, .bound = bound_variant})) {
     results.push_back(with_interval(
         {.part = part.name, .faults = row.faults, .verdict = {}, .days = row.days, .way = row.way}, row.ratio));
-  }
-  return results;
-}
-
-/// Where an entry has one setting, and so no front.
-std::vector<StudyResult> points_of(const StudiedPart& part, const std::vector<FinishedDay>& days) {
-  std::vector<StudyResult> results;
-  for (const Compared& row : compare(days, {.metric = "lost", .reference = reference_variant, .at = "idle_km"})) {
-    if (row.variant == entry_variant) {
-      results.push_back(with_interval(
-          {.part = part.name, .faults = row.faults, .verdict = {}, .days = row.relative ? row.pairs : 0, .way = {}},
-          row.by_t));
-    }
   }
   return results;
 }
@@ -184,11 +160,8 @@ std::vector<StudyResult> results_of(const StudyLine& line, const std::vector<Swe
   for (std::size_t i = 0; i < sweeps.size(); ++i) {
     const StudiedPart& part = line.parts[i];
     std::vector<FinishedDay> days = days_of(part, sweeps[i]);
-    const bool fronts = makes_a_front(sweeps[i]);
-    if (fronts) {
-      add_bounds(part, sweeps[i], days);
-    }
-    const std::vector<StudyResult> of_part = fronts ? fronts_of(part, days) : points_of(part, days);
+    add_bounds(part, sweeps[i], days);
+    const std::vector<StudyResult> of_part = fronts_of(part, days);
     results.insert(results.end(), of_part.begin(), of_part.end());
   }
   return results;

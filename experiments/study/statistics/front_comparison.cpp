@@ -43,8 +43,11 @@ std::vector<double> corners_of(const std::vector<FrontPoint>& hull, const std::v
   return {corners.begin(), corners.end()};
 }
 
-/// The mean of a hull over [from, to], which it covers.
+/// The mean of a hull from the first of the corners to the last, which it covers; its value there if there is one.
 double mean_value(const std::vector<FrontPoint>& hull, const std::vector<double>& corners) {
+  if (corners.size() == 1) {
+    return *value_at(hull, corners.front());
+  }
   double area = 0.0;
   for (std::size_t i = 1; i < corners.size(); ++i) {
     area += (corners[i] - corners[i - 1]) * (*value_at(hull, corners[i - 1]) + *value_at(hull, corners[i])) / 2.0;
@@ -68,7 +71,7 @@ std::vector<std::uint64_t> shared_seeds(const Seeds& first, std::initializer_lis
   return seeds;
 }
 
-/// The hull of the settings that were played with all the seeds, each summed over these.
+/// The settings that were played with all the seeds, each summed over these.
 std::vector<FrontPoint> summed(const Seeds& played, const std::vector<std::uint64_t>& seeds) {
   std::vector<FrontPoint> front;
   for (const auto& [settings, points] : played.at(seeds.front())) {
@@ -86,7 +89,14 @@ std::vector<FrontPoint> summed(const Seeds& played, const std::vector<std::uint6
       front.push_back(sum);
     }
   }
-  return lower_hull(front);
+  return front;
+}
+
+/// The gap between two fronts of a day with these seeds.
+std::optional<FrontGap> gap_of(const Seeds& variant, const Seeds& reference, const std::vector<std::uint64_t>& seeds) {
+  const auto front = summed(variant, seeds);
+  const auto other = summed(reference, seeds);
+  return front_gap(lower_hull(front), lower_hull(other), front.size() == 1 || other.size() == 1);
 }
 
 /// How far it is from a reference to the bound, and how much of that was gone.
@@ -99,7 +109,7 @@ struct Way {
 /// stays as it is.
 void add_way(const Seeds& variant, const Seeds& reference, const Seeds& bounds, std::optional<Way>& way) {
   const auto seeds = shared_seeds(variant, {&reference, &bounds});
-  const auto gap = seeds.empty() ? std::nullopt : front_gap(summed(variant, seeds), summed(reference, seeds));
+  const auto gap = seeds.empty() ? std::nullopt : gap_of(variant, reference, seeds);
   if (!gap) {
     return;
   }
@@ -130,7 +140,7 @@ ComparedFronts compare_variant(ComparedFronts row, const Dates& variant, const D
     if (seeds.empty()) {
       continue;
     }
-    const auto gap = front_gap(summed(played, seeds), summed(beside->second, seeds));
+    const auto gap = gap_of(played, beside->second, seeds);
     if (!gap) {
       ++row.apart;
       continue;
@@ -158,20 +168,26 @@ ComparedFronts compare_variant(ComparedFronts row, const Dates& variant, const D
 
 }  // namespace
 
-std::optional<FrontGap> front_gap(const std::vector<FrontPoint>& hull, const std::vector<FrontPoint>& reference) {
+std::optional<FrontGap> front_gap(const std::vector<FrontPoint>& hull, const std::vector<FrontPoint>& reference,
+                                  bool frozen) {
   if (hull.empty() || reference.empty()) {
     return std::nullopt;
   }
   FrontGap gap;
   gap.from = std::max(hull.front().cost, reference.front().cost);
   gap.to = std::min(hull.back().cost, reference.back().cost);
-  if (gap.from >= gap.to) {
+  if (gap.from > gap.to || (gap.from == gap.to && !frozen)) {
     return std::nullopt;
   }
   const auto corners = corners_of(hull, reference, gap.from, gap.to);
   gap.value = mean_value(hull, corners);
   gap.reference = mean_value(reference, corners);
   EVBAL_EXPECT(hull.back().value >= 0.0 && reference.back().value >= 0.0, "values that are not negative");
+  if (gap.from == gap.to) {
+    gap.log_ratio = std::log((gap.value + half) / (gap.reference + half));
+    gap.covered = reference.size() == 1 ? 1.0 : 0.0;
+    return gap;
+  }
   for (std::size_t i = 1; i < corners.size(); ++i) {
     const auto log_of = [&](const std::vector<FrontPoint>& front) {
       return mean_log(*value_at(front, corners[i - 1]) + half, *value_at(front, corners[i]) + half);

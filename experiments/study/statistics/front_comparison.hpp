@@ -15,7 +15,7 @@ namespace evbal {
 /// How two fronts lie to each other over the costs that both cover.
 struct FrontGap {
   double from = 0.0;       ///< cost
-  double to = 0.0;         ///< cost, above `from`
+  double to = 0.0;         ///< cost, above `from`; or equal if one of the two is a frozen setting
   double log_ratio = 0.0;  ///< mean of ln((value + 1/2) / (reference + 1/2))
   double value = 0.0;      ///< mean
   double reference = 0.0;  ///< mean
@@ -23,8 +23,9 @@ struct FrontGap {
 };
 
 /// The gap between two lower hulls, exactly, as both are made of straight lines. Nothing if they have no range of costs
-/// in common.
-std::optional<FrontGap> front_gap(const std::vector<FrontPoint>& hull, const std::vector<FrontPoint>& reference);
+/// in common. `frozen`: one of them is a single setting, which is held against the other at its own cost.
+std::optional<FrontGap> front_gap(const std::vector<FrontPoint>& hull, const std::vector<FrontPoint>& reference,
+                                  bool frozen = false);
 
 /// What is asked of fronts.
 struct FrontQuestion {
