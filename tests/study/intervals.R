@@ -1,6 +1,6 @@
 # Makes intervals.csv, which intervals_test.cpp holds our statistics against:
 #   Rscript tests/study/intervals.R > tests/study/intervals.csv
-# Seven days with three seeds each; t.test on the days' means, a bootstrap of days, quantiles of Student's t, and
+# Seven days with three seeds each; t.test on the days' means, quantiles of Student's t, and
 # linear interpolation that does not extrapolate.
 set.seed(20200517)
 days <- 7
@@ -13,8 +13,6 @@ line <- function(kind, ...) cat(paste(c(kind, sapply(c(...), format, digits = 15
 for (i in seq_along(values)) line("value", day[i], values[i])
 test <- t.test(means)
 line("t", test$estimate, test$conf.int)
-drawn <- replicate(400000, mean(sample(means, days, replace = TRUE)))
-line("bootstrap", mean(means), quantile(drawn, c(0.025, 0.975)))
 for (degrees in c(1, 2, 6, 13, 100)) line("student", 0.95, degrees, qt(0.975, degrees))
 line("student", 0.5, 6, qt(0.75, 6))
 

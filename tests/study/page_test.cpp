@@ -1,16 +1,19 @@
 #include "common/error.hpp"
 #include "experiments/study/statistics/page_markdown.hpp"
+#include "experiments/study/statistics/primaries.hpp"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 namespace evbal {
 namespace {
 
-const std::vector<std::string> variants = {"ref", "new"};
+const PageNames names = {{"ref", "new"}, {"toy", "city"}, {"calm"}};
 
 Page read(const std::string& sections) {
   return read_page(YamlValue::parse("title: Who wins\ntext: On small data.\nsections:\n" + sections, "sweep.yaml"),
-                   variants);
+                   names);
 }
 
 FinishedDay day_of(const std::string& variant, const std::string& price, const std::string& day, double km,
@@ -18,7 +21,7 @@ FinishedDay day_of(const std::string& variant, const std::string& price, const s
   FinishedDay finished{.scenario = "toy", .variant = variant, .controller = "ratio", .faults = "calm", .day = day};
   finished.seed = 1;
   finished.settings = {{"price", price}};
-  finished.totals = {{"idle_km", km}, {"lost", lost}, {"served", 100.0 - lost}};
+  finished.totals = {{"idle_km", km}, {"lost", lost}, {"served", 500.0 - lost}};
   return finished;
 }
 
@@ -48,20 +51,80 @@ TEST(Page, SaysWhatWasRunAndHowToRunItAgain) {
   expect_in("\n## One\n\nWords.\n", text);
 }
 
-TEST(Page, ComparesAndSaysWhatIsShown) {
+TEST(Page, ComparesAndSaysWhetherAimsAreReached) {
   const std::string text = page(
       "- title: One\n"
-      "  compare: {variants: [new], against: [ref], metrics: [lost, served], at: idle_km, aims: {lost: -49}}\n");
-  expect_in("| scenario | faults | variant | against | metric | idle_km | value |", text);
-  expect_in("| toy | calm | new | ref | lost | 15.0 | 50.0 | 100 | -50.0 % | -52.5 .. -47.5 |", text);
-  // With two rows p of the first, 0.00013, counts twice. Served: 0, as the mean of -20 and 20, is no reference.
-  expect_in("| 0.0001 | 0.0003 | 3 | 0 |", text);
-  expect_in("| served | 15.0 | 50.0 | 0.000 | +50.0 | +47.5 .. +52.5 |  |", text);
-  expect_in("rows in all: 2. Lower: `new` against `ref`, lost, toy calm. Higher: `new` against `ref`, served", text);
+      "  compare: {variants: [new], against: [ref], metrics: [lost, idle_km], at: idle_km, aims: {lost: -49}}\n");
+  expect_in(
+      "| scenario | faults | variant | against | metric | idle_km | value | reference | of totals | difference | 95 % "
+      "by "
+      "t | days | apart | inside | covered |",
+      text);
+  expect_in(
+      "| toy | calm | new | ref | lost | 15.0 | 150 | 300 | -50.0 % | -49.8 % | -52.2 .. -47.2 | 3 | 0 | 3 of 3 |  |",
+      text);
   expect_in(
       "- Aim -49 %, `new` against `ref`, lost, toy calm: reached in the mean, not with the whole interval "
-      "(-50.0 %, -52.5 .. -47.5).\n",
+      "(-49.8 %, -52.2 .. -47.2).\n",
       text);
+}
+
+/// The second section asks of metrics and aims of its own, and names its row.
+const std::string with_primaries =
+    "- {title: One, compare: {variants: [new], against: [ref], metrics: [lost], at: idle_km, primary: {scenario: "
+    "toy}}}\n"
+    "- title: Two\n"
+    "  compare: {variants: [new], against: [ref], metrics: [served, lost, idle_km], at: idle_km,\n"
+    "            primary: {scenario: toy, metric: served}}\n"
+    "- title: Three\n"
+    "  compare: {variants: [new], against: [ref], metrics: [lost, served], at: idle_km}\n";
+
+TEST(Page, AdjustsForItsPrimaryEndpointsAndForNothingElse) {
+  const std::string text = page(with_primaries);
+  expect_in(
+      "| section | scenario | faults | variant | against | metric | difference | 95 % by t | p | p, Holm | days |",
+      text);
+  // Two endpoints and six rows: the smaller p, of `served`, counts twice, this one once.
+  expect_in("| One | toy | calm | new | ref | lost | -49.8 % | -52.2 .. -47.2 | 0.0003 | 0.0003 | 3 |", text);
+  expect_in(
+      "Lower, with p below 0.05 after Holm's adjustment: `new` against `ref`, lost, toy calm. Higher: `new` against "
+      "`ref`, served, toy calm. No difference is shown: none.\n",
+      text);
+  expect_in("| 3 | 0 | 3 of 3 |  | primary |\n", text);
+  expect_in("Every other row of a comparison is exploratory", text);
+  const std::string after = text.substr(text.find("\n## One"));
+  EXPECT_EQ(after.find("Holm"), std::string::npos) << after;
+}
+
+TEST(Page, GivesOneQuestionOnePValueWhereverItIsShown) {
+  const Page asked = read(with_primaries);
+  const auto answers = primary_answers(asked, with_objective(asked, three_days()));
+  ASSERT_EQ(answers.size(), 2U);
+  const auto [smaller, larger] =
+      std::minmax(answers[0], answers[1], [](const auto& a, const auto& b) { return a.row.p < b.row.p; });
+  EXPECT_DOUBLE_EQ(smaller.p_holm, 2.0 * smaller.row.p);
+  EXPECT_DOUBLE_EQ(larger.p_holm, std::max(smaller.p_holm, larger.row.p));
+  const Question question{.metric = "lost", .reference = "ref", .at = "idle_km"};
+  const auto rows = compare(three_days(), question);
+  EXPECT_TRUE(answers[0].is(question, rows.at(0)));
+  EXPECT_FALSE(answers[1].is(question, rows.at(0)));
+  EXPECT_FALSE(answers[0].is({.metric = "lost", .reference = "ref", .at = "lost"}, rows.at(0)));
+}
+
+TEST(Page, CountsAPrimaryEndpointWithoutAnAnswerInItsFamily) {
+  const std::string text = page(
+      "- {title: A, compare: {variants: [new], against: [ref], metrics: [lost], at: idle_km, primary: {scenario: "
+      "toy}}}\n"
+      "- {title: B, compare: {variants: [new], against: [ref], metrics: [lost], at: idle_km, primary: {scenario: "
+      "city}}}\n");
+  expect_in("| 0.0003 | 0.0006 | 3 |", text);
+  expect_in("| B | city | calm | new | ref | lost |  |  |  |  | 0 |", text);
+}
+
+TEST(Page, SaysThatWithoutPrimaryEndpointsAllIsExploratory) {
+  expect_in("The file names no primary endpoint. Every row of a comparison is exploratory",
+            page("- {title: One, compare: {variants: [new], against: [ref], metrics: [lost], at: idle_km}}\n"));
+  EXPECT_EQ(page("- {title: A, means: {variants: [new], metrics: [lost]}}\n").find("exploratory"), std::string::npos);
 }
 
 TEST(Page, ComparesFronts) {
@@ -70,23 +133,20 @@ TEST(Page, ComparesFronts) {
     days.push_back(day_of("new", "2", day, 25, lost - 20.0));
   }
   const std::string text = page_markdown(read("- {title: One, fronts: {variants: [new], against: [ref]}}\n"), days, "");
-  expect_in("| scenario | faults | variant | against | metric | value | reference | of totals | difference |", text);
-  expect_in("| toy | calm | new | ref | lost | 135 | 270 | -50.0 % | -49.7 % |",
+  expect_in("| toy | calm | new | ref | lost | 15.0 .. 20.0 | 135 | 270 | -50.0 % | -49.7 % |",
             text);  // 45.5 of 90.5, from 15 to 20 km
-  expect_in("| 3 | 0 | 50 % |", text);
-  expect_in("| toy | calm | new | ref | lost |  |  |  |  |  |  | 0 | 3 | 0 % |",
-            page("- {title: One, fronts: {variants: [new], against: [ref], metrics: [lost], at: idle_km}}\n"));
+  expect_in("| 3 | 0 | 3 of 6 | 50 % |", text);
 }
 
-TEST(Page, SaysWhenNothingIsShown) {
+TEST(Page, SaysWhenAnAimIsMissed) {
   std::vector<FinishedDay> days = three_days();
   days.back().totals["lost"] = 400.0;
   const Page asked = read(
       "- {title: One, compare: {variants: [new], against: [ref], metrics: [lost], at: idle_km,"
-      " aims: {lost: -49}}}\n");
+      " aims: {lost: -49}, primary: {scenario: toy}}}\n");
   const std::string text = page_markdown(asked, days, "");
-  expect_in("rows in all: 1. Lower: none. Higher: none. Rows in which no difference is shown: 1.\n", text);
-  expect_in("missed (+67.0 %,", text);
+  expect_in("Higher: none. No difference is shown: `new` against `ref`, lost, toy calm.\n", text);
+  expect_in("missed (", text);
 }
 
 TEST(Page, ShowsMeansRanksAndSettings) {
@@ -95,7 +155,7 @@ TEST(Page, ShowsMeansRanksAndSettings) {
       "- {title: B, correlate: {variants: [ref, new], metrics: [idle_km], with: lost}}\n"
       "- {title: C, settings: {variants: [ref]}}\n");
   expect_in("| toy | calm | new | 50.0 ± 2.48 |", text);
-  expect_in("| toy | calm | -0.50 (-0.50 .. -0.50) |", text);
+  expect_in("| toy | calm | -0.50 (not known) |", text);  // the same on all days
   expect_in("| toy | ref | ratio | `price` 1 |", text);
 }
 
@@ -103,9 +163,12 @@ TEST(Page, PricesDays) {
   const Page asked = read_page(YamlValue::parse("title: A\nobjective: {idle_km: 1, lost: 2}\nsections:\n"
                                                 "- {title: B, means: {variants: [new], metrics: [objective]}}\n",
                                                 "sweep.yaml"),
-                               variants);
+                               names);
   expect_in("| toy | calm | new | 115 ± 4.97 |", page_markdown(asked, three_days(), ""));
   EXPECT_THROW(read("- {title: B, means: {variants: [new], metrics: [objective]}}\n"), Error);
+  EXPECT_THROW(
+      read_page(YamlValue::parse("title: A\nobjective: {served: -1}\nsections: [{title: B}]\n", "sweep.yaml"), names),
+      Error);
 }
 
 TEST(Page, KeepsItsTablesWhateverScenariosAndFaultsAreCalled) {
@@ -139,6 +202,9 @@ TEST(Page, RefusesWhatItDoesNotKnow) {
   refuse("- {title: A, means: {variants: [new], metrics: [lost], at: idle_km}}\n", "unknown key `at`");
   refuse("- {title: A, compare: {variants: [new], against: [ref], metrics: [lost], aims: {served: 1}}}\n",
          "not compared here");
+  refuse("- {title: A, fronts: {variants: [new], against: [ref], at: served}}\n", "nothing to compare at");
+  refuse("- {title: A, fronts: {variants: [new], against: [ref], primary: {}}}\n", "say which scenario");
+  refuse("- {title: A, fronts: {variants: [new], against: [ref], primary: {scenario: tyo}}}\n", "did you mean `toy`");
 }
 
 }  // namespace

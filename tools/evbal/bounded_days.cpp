@@ -16,8 +16,6 @@
 namespace evbal {
 namespace {
 
-constexpr double farther_than_any_day = 1e9;  // km: there the bound stays as it is
-
 /// What of a variant's settings may change the bound: all but prices.
 std::map<std::string, std::string> of_the_world(const FinishedDay& day) {
   std::map<std::string, std::string> settings = day.settings;
@@ -66,10 +64,9 @@ class BoundKeys {
 
 }  // namespace
 
-std::vector<FinishedDay> bound_points(std::vector<Driving> corners, FinishedDay day) {
+std::vector<FinishedDay> bound_points(const std::vector<Driving>& corners, FinishedDay day) {
   day.variant = bound_variant;
   day.controller = bound_variant;
-  corners.push_back({farther_than_any_day, corners.back().lost});
   std::vector<FinishedDay> points;
   for (const Driving& corner : corners) {
     day.totals = {{"idle_km", corner.km}, {"lost", corner.lost}};

@@ -13,7 +13,7 @@ inline constexpr const char* bound_variant = "bound";
 
 /// The corners of a day's bound (bound_corners) as days like `day`: settings of that variant, of which idle_km and lost
 /// are known.
-std::vector<FinishedDay> bound_points(std::vector<Driving> corners, FinishedDay day);
+std::vector<FinishedDay> bound_points(const std::vector<Driving>& corners, FinishedDay day);
 
 /// The bounds that are kept for days of a sweep, as if they were days of one more variant: a setting for each corner of
 /// a day's bound, of which idle_km and lost are known. `days` are those of `sweep_file`. Only days of its first

@@ -3,6 +3,7 @@
 #include "agents/world/world.hpp"
 #include "common/installation.hpp"
 #include "coordinator/balancing/controllers.hpp"
+#include "experiments/study/design/trade.hpp"
 #include "tools/evbal/command_names.hpp"
 #include "tools/evbal/metric_meanings.hpp"
 
@@ -47,7 +48,7 @@ Names values_of(const CLI::Option& option) {
       {"SWEEP", [] { return shipped_names("studies"); }},
       {"BENCHMARK", [] { return shipped_names("benchmarks"); }},
       {"TUNING", [] { return shipped_names("studies"); }},
-      {"--at", metric_words},
+      {"--at", traded_metrics},
       {"--controller", controller_names},
       {"--faults", [] { return shipped_names("faults"); }},
       {"--metric", metric_words},

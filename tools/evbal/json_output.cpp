@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <charconv>
 
 namespace evbal {
@@ -87,40 +88,27 @@ std::string draws_json(const DrawsResult& draws, const std::filesystem::path& fo
   return document(json);
 }
 
-std::string compared_json(const std::vector<Compared>& rows) {
+std::string compared_json(const std::vector<Compared>& rows, const Question& question,
+                          const std::vector<PrimaryAnswer>& primaries) {
   Json json = Json::array();
   for (const auto& row : rows) {
     Json one = {{"scenario", row.scenario}, {"faults", row.faults}, {"variant", row.variant},
-                {"settings", row.settings}, {"pairs", row.pairs},   {"outside", row.outside}};
-    if (row.pairs > 0) {
-      one.update({{"at", row.at},
-                  {"value", row.value},
-                  {"reference", row.reference},
-                  {"difference", interval_json(row.difference)}});
-      if (row.relative) {
-        one.update({{"relative", interval_json(row.by_t)}, {"relative_by_bootstrap", interval_json(row.by_bootstrap)}});
-      }
-      one.update({{"p", row.p}, {"p_holm", row.p_holm}});
-    }
-    json.push_back(std::move(one));
-  }
-  return document(json);
-}
-
-std::string compared_fronts_json(const std::vector<ComparedFronts>& rows) {
-  Json json = Json::array();
-  for (const auto& row : rows) {
-    Json one = {{"scenario", row.scenario},
-                {"faults", row.faults},
-                {"variant", row.variant},
-                {"days", row.days},
-                {"apart", row.apart}};
+                {"settings", row.settings}, {"whole", row.whole},   {"days", row.days},
+                {"apart", row.apart},       {"points", row.points}, {"inside", row.inside}};
     if (row.days > 0) {
-      one.update({{"covered", row.covered},
+      const auto totals = of_totals(row);
+      const auto primary = std::find_if(primaries.begin(), primaries.end(),
+                                        [&](const PrimaryAnswer& answer) { return answer.is(question, row); });
+      one.update({{"from", row.from},
+                  {"to", row.to},
+                  {"covered", row.covered},
                   {"value", row.value},
                   {"reference", row.reference},
-                  {"relative", interval_json(row.ratio)},
+                  {"of_totals", totals ? Json(*totals) : Json()},
+                  {"relative", row.relative},
+                  {"difference", interval_json(row.difference)},
                   {"p", row.p},
+                  {"p_holm", primary == primaries.end() ? Json() : Json(primary->p_holm)},
                   {"way", row.way ? Json(*row.way) : Json()}});
     }
     json.push_back(std::move(one));

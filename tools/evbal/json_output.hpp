@@ -3,7 +3,7 @@
 #include "experiments/record/run_record.hpp"
 #include "experiments/study/executors/monte_carlo.hpp"
 #include "experiments/study/statistics/comparison.hpp"
-#include "experiments/study/statistics/front_comparison.hpp"
+#include "experiments/study/statistics/primaries.hpp"
 #include "tools/evbal/diagnosis.hpp"
 #include "tools/evbal/listing.hpp"
 #include "tools/evbal/sourced_scenario.hpp"
@@ -24,11 +24,10 @@ std::string runs_json(const std::vector<RunResult>& runs, const std::filesystem:
 /// {"folder": folder, "controllers": [{controller, draws, metrics, worst}]}
 std::string draws_json(const DrawsResult& draws, const std::filesystem::path& folder);
 
-/// [{scenario, faults, variant, settings, pairs, outside, at, value, reference, difference, relative, p, p_holm}]
-std::string compared_json(const std::vector<Compared>& rows);
-
-/// [{scenario, faults, variant, days, apart, covered, value, reference, relative, p, way}]
-std::string compared_fronts_json(const std::vector<ComparedFronts>& rows);
+/// [{scenario, faults, variant, settings, whole, days, apart, points, inside, from, to, covered, value, reference,
+/// of_totals, relative, difference, p, p_holm, way}]; `p_holm` of the page's primary endpoints only.
+std::string compared_json(const std::vector<Compared>& rows, const Question& question,
+                          const std::vector<PrimaryAnswer>& primaries);
 
 /// [{what, cases, largest, allowed, holds, where}]
 std::string comparisons_json(const std::vector<Comparison>& comparisons);

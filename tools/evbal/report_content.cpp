@@ -184,12 +184,14 @@ SweepContent sweep_content(const fs::path& folder, std::vector<std::string> agai
   if (against.empty() && page.empty()) {
     against.push_back(days.front().variant);
   }
+  const SweepOrigin origin = read_origin(file);
+  const Page asked = page_of(origin.text, days);
   return {.folder = folder.string(),
-          .origin = read_origin(file),
+          .origin = origin,
           .page = page,
           .days = static_cast<int>(days.size()),
           .points = swept_points(days, read_finished_steps(file, hourly_columns)),
-          .answers = answers(days, against),
+          .answers = answers(days, against, primary_answers(asked, with_objective(asked, days))),
           .bound = swept_bound(file, days)};
 }
 

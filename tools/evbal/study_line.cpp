@@ -5,7 +5,7 @@
 #include "common/version.hpp"
 #include "coordinator/planning/json_reader.hpp"
 #include "experiments/study/design/benchmark.hpp"
-#include "experiments/study/statistics/front_comparison.hpp"
+#include "experiments/study/statistics/comparison.hpp"
 #include "tools/evbal/bounded_days.hpp"
 
 #include <nlohmann/json.hpp>
@@ -66,11 +66,14 @@ StudyResult with_interval(StudyResult result, const Interval& interval) {
   return result;
 }
 
-std::vector<StudyResult> fronts_of(const StudiedPart& part, const std::vector<FinishedDay>& days) {
+std::vector<StudyResult> results_of_part(const StudiedPart& part, const std::vector<FinishedDay>& days) {
+  const Question question{.reference = reference_variant, .at = "idle_km", .bound = bound_variant};
   std::vector<StudyResult> results;
-  for (const ComparedFronts& row : compare_fronts(days, {.reference = reference_variant, .bound = bound_variant})) {
-    results.push_back(with_interval(
-        {.part = part.name, .faults = row.faults, .verdict = {}, .days = row.days, .way = row.way}, row.ratio));
+  for (const Compared& row : compare(days, question)) {
+    if (row.whole) {
+      results.push_back(with_interval(
+          {.part = part.name, .faults = row.faults, .verdict = {}, .days = row.days, .way = row.way}, row.difference));
+    }
   }
   return results;
 }
@@ -161,7 +164,7 @@ std::vector<StudyResult> results_of(const StudyLine& line, const std::vector<Swe
     const StudiedPart& part = line.parts[i];
     std::vector<FinishedDay> days = days_of(part, sweeps[i]);
     add_bounds(part, sweeps[i], days);
-    const std::vector<StudyResult> of_part = fronts_of(part, days);
+    const std::vector<StudyResult> of_part = results_of_part(part, days);
     results.insert(results.end(), of_part.begin(), of_part.end());
   }
   return results;

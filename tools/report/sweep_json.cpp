@@ -39,20 +39,26 @@ Json point_json(const SweptPoint& point) {
   return json;
 }
 
-Json row_json(const Compared& row) {
+Json row_json(const Compared& row, const std::optional<double>& p_holm) {
+  const auto totals = of_totals(row);
   return {{"scenario", row.scenario},
           {"faults", row.faults},
           {"variant", row.variant},
           {"settings", row.settings},
-          {"pairs", row.pairs},
-          {"outside", row.outside},
-          {"at", rounded(row.at)},
+          {"whole", row.whole},
+          {"days", row.days},
+          {"apart", row.apart},
+          {"points", row.points},
+          {"inside", row.inside},
+          {"from", rounded(row.from)},
+          {"to", rounded(row.to)},
+          {"covered", rounded(row.covered)},
           {"value", rounded(row.value)},
           {"reference", rounded(row.reference)},
+          {"of_totals", totals ? rounded(*totals) : Json()},
           {"relative", row.relative},
-          {"by_t", interval_json(row.relative ? row.by_t : row.difference)},
-          {"by_bootstrap", row.relative ? interval_json(row.by_bootstrap) : Json(nullptr)},
-          {"p_holm", rounded(row.p_holm)}};
+          {"difference", interval_json(row.difference)},
+          {"p_holm", p_holm ? rounded(*p_holm) : Json()}};
 }
 
 Json answer_json(const Answer& answer) {
@@ -60,8 +66,8 @@ Json answer_json(const Answer& answer) {
   json["at"] = answer.question.at ? Json(*answer.question.at) : Json(nullptr);
   json["refused"] = answer.refused;
   json["rows"] = Json::array();
-  for (const auto& row : answer.rows) {
-    json["rows"].push_back(row_json(row));
+  for (std::size_t i = 0; i < answer.rows.size(); ++i) {
+    json["rows"].push_back(row_json(answer.rows[i], answer.p_holm[i]));
   }
   return json;
 }

@@ -64,12 +64,20 @@ std::vector<Question> questions(const std::string& reference, bool front, const 
   return all;
 }
 
-Answer answer(const std::vector<FinishedDay>& days, const Question& question) {
+Answer answer(const std::vector<FinishedDay>& days, const Question& question,
+              const std::vector<PrimaryAnswer>& primaries) {
+  Answer answer{.question = question};
   try {
-    return {.question = question, .rows = compare(days, question)};
+    answer.rows = compare(days, question);
   } catch (const Error& error) {
-    return {.question = question, .refused = error.what()};
+    answer.refused = error.what();
   }
+  for (const Compared& row : answer.rows) {
+    const auto primary =
+        std::find_if(primaries.begin(), primaries.end(), [&](const auto& one) { return one.is(question, row); });
+    answer.p_holm.push_back(primary == primaries.end() ? std::nullopt : std::optional(primary->p_holm));
+  }
+  return answer;
 }
 
 }  // namespace
@@ -101,14 +109,15 @@ std::vector<SweptPoint> swept_points(const std::vector<FinishedDay>& days, const
   return points;
 }
 
-std::vector<Answer> answers(const std::vector<FinishedDay>& days, const std::vector<std::string>& references) {
+std::vector<Answer> answers(const std::vector<FinishedDay>& days, const std::vector<std::string>& references,
+                            const std::vector<PrimaryAnswer>& primaries) {
   std::vector<Answer> all;
   for (const auto& reference : references) {
     const bool front = has_several_settings(days, reference);
     for (const char* suffix : {"", "_after_7"}) {
       for (const auto& question : questions(reference, front, suffix)) {
         if (days.front().totals.contains(question.metric)) {
-          all.push_back(answer(days, question));
+          all.push_back(answer(days, question, primaries));
         }
       }
     }

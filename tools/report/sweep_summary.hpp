@@ -2,10 +2,12 @@
 
 #include "experiments/study/statistics/comparison.hpp"
 #include "experiments/study/statistics/intervals.hpp"
+#include "experiments/study/statistics/primaries.hpp"
 #include "experiments/study/store/finished_steps.hpp"
 #include "experiments/study/store/sweep_file.hpp"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,13 +35,16 @@ std::vector<SweptPoint> swept_points(const std::vector<FinishedDay>& days, const
 struct Answer {
   Question question;             ///< that was asked
   std::vector<Compared> rows{};  ///< the answer
-  std::string refused{};         ///< why there is none; empty if there is
+  /// The adjusted p value of each row that is a primary endpoint of the sweep's page.
+  std::vector<std::optional<double>> p_holm{};
+  std::string refused{};  ///< why there is none; empty if there is
 };
 
 /// What is asked about each of the `references`: lost passengers, both kinds of unfairness, charger wait and idle km.
 /// If the reference has several settings, idle km are compared at equally many lost passengers, all else at equal idle
-/// km. Each for the whole day and, where the totals know it, from 07:00 on. Throws Error{bad_input} if a reference is
-/// no variant.
-std::vector<Answer> answers(const std::vector<FinishedDay>& days, const std::vector<std::string>& references);
+/// km. Each for the whole day and, where the totals know it, from 07:00 on. `primaries` are those of the sweep's page.
+/// Throws Error{bad_input} if a reference is no variant.
+std::vector<Answer> answers(const std::vector<FinishedDay>& days, const std::vector<std::string>& references,
+                            const std::vector<PrimaryAnswer>& primaries);
 
 }  // namespace evbal

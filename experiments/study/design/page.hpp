@@ -11,21 +11,23 @@
 /// What a sweep is asked, and the page that answers (docs/sweeps.md): text from the file, every number from its days.
 namespace evbal {
 
-/// Variants side by side, paired, each against each reference.
-struct CompareSection {
-  std::vector<std::string> variants;   ///< by name
-  std::vector<std::string> against;    ///< variants, by name
-  std::vector<std::string> metrics;    ///< by name
-  std::optional<std::string> at;       ///< metric at whose equal values they are compared
-  std::map<std::string, double> aims;  ///< by metric, in per cent: reached if the difference is as low
+/// The one row of a section that decides what it asks, named before its days are played; all others are exploratory.
+struct PrimaryEndpoint {
+  std::string scenario;  ///< its name
+  std::string faults;    ///< name of the schedule
+  std::string variant;   ///< by name
+  std::string against;   ///< variant, by name
+  std::string metric;    ///< by name
 };
 
-/// Whole fronts side by side, day by day, each against each reference.
-struct FrontsSection {
-  std::vector<std::string> variants;  ///< by name
-  std::vector<std::string> against;   ///< variants, by name
-  std::vector<std::string> metrics;   ///< by name
-  std::string at;                     ///< metric that makes a front with each of them
+/// Variants side by side, paired, each against each reference.
+struct CompareSection {
+  std::vector<std::string> variants;         ///< by name
+  std::vector<std::string> against;          ///< variants, by name
+  std::vector<std::string> metrics;          ///< by name
+  std::optional<std::string> at;             ///< metric at whose equal values their fronts are compared
+  std::map<std::string, double> aims{};      ///< by metric, in per cent: reached if the difference is as low
+  std::optional<PrimaryEndpoint> primary{};  ///< of a page's section there is one at most
 };
 
 /// Means over days, with intervals by t.
@@ -52,7 +54,7 @@ struct PageSection {
   /// Markdown.
   std::string text;
   std::optional<CompareSection> compare{};      ///< variants against others
-  std::optional<FrontsSection> fronts{};        ///< variants' fronts against those of others
+  std::optional<CompareSection> fronts{};       ///< variants' fronts against those of others
   std::optional<MeansSection> means{};          ///< of metrics
   std::optional<CorrelateSection> correlate{};  ///< metrics with one metric
   std::optional<SettingsSection> settings{};    ///< as tuned
@@ -67,8 +69,15 @@ struct Page {
   std::vector<PageSection> sections;  ///< in their order
 };
 
+/// What there is in a sweep that its page may speak of.
+struct PageNames {
+  std::vector<std::string> variants;   ///< by name
+  std::vector<std::string> scenarios;  ///< by name
+  std::vector<std::string> faults;     ///< names of the schedules
+};
+
 /// Reads a sweep's `page`. Throws Error{bad_input} with file, line, reason and what would be right, also if a section
-/// names a variant that is not among `variants`.
-Page read_page(const YamlValue& value, const std::vector<std::string>& variants);
+/// names a variant, scenario or schedule that is not in the sweep.
+Page read_page(const YamlValue& value, const PageNames& names);
 
 }  // namespace evbal

@@ -1,6 +1,8 @@
 #include "common/error.hpp"
+#include "common/suggestion.hpp"
 #include "experiments/study/design/page.hpp"
 #include "experiments/study/design/study_file.hpp"
+#include "experiments/study/design/trade.hpp"
 
 #include <algorithm>
 
@@ -10,8 +12,7 @@ namespace {
 using Words = std::vector<std::string>;
 
 /// What a page may speak of.
-struct Names {
-  Words variants;
+struct Names : PageNames {
   Words metrics;
 };
 
@@ -30,13 +31,47 @@ Words known_items(const YamlValue& list, const char* what, const Words& words) {
   return items;
 }
 
+std::string read_at(const YamlValue& at) {
+  if (!traded_for(at.text())) {
+    throw at.error("`" + at.text() + "` is nothing to compare at" + did_you_mean(at.text(), traded_metrics()) +
+                   "; `idle_km` and `lost` are, which controllers trade");
+  }
+  return at.text();
+}
+
+/// A primary endpoint's name of one kind; without one that which is the only one.
+std::string read_only(YamlMap& map, const YamlValue& place, const char* key, const Words& names) {
+  if (const auto given = map.find(key)) {
+    return known(*given, key, names);
+  }
+  if (names.size() > 1) {
+    throw place.error("a primary endpoint is one row; say which " + std::string(key) + " it is of");
+  }
+  return names.front();
+}
+
+std::optional<PrimaryEndpoint> read_primary(YamlMap& map, const CompareSection& section, const Names& names) {
+  const auto value = map.find("primary");
+  if (!value) {
+    return std::nullopt;
+  }
+  YamlMap keys(*value);
+  PrimaryEndpoint primary{.scenario = read_only(keys, *value, "scenario", names.scenarios),
+                          .faults = read_only(keys, *value, "faults", names.faults),
+                          .variant = read_only(keys, *value, "variant", section.variants),
+                          .against = read_only(keys, *value, "against", section.against),
+                          .metric = read_only(keys, *value, "metric", section.metrics)};
+  keys.finish();
+  return primary;
+}
+
 CompareSection read_compare(YamlMap& map, const Names& names) {
   CompareSection section;
   section.variants = known_items(map.require("variants"), "variant", names.variants);
   section.against = known_items(map.require("against"), "variant", names.variants);
   section.metrics = known_items(map.require("metrics"), "metric", names.metrics);
   if (const auto at = map.find("at")) {
-    section.at = known(*at, "metric", names.metrics);
+    section.at = read_at(*at);
   }
   if (const auto aims = map.find("aims")) {
     YamlMap given(*aims);
@@ -48,16 +83,19 @@ CompareSection read_compare(YamlMap& map, const Names& names) {
       section.aims[metric] = aim.number();
     }
   }
+  section.primary = read_primary(map, section, names);
   return section;
 }
 
-FrontsSection read_fronts(YamlMap& map, const Names& names) {
+CompareSection read_fronts(YamlMap& map, const Names& names) {
   const auto metrics = map.find("metrics");
   const auto at = map.find("at");
-  return {known_items(map.require("variants"), "variant", names.variants),
-          known_items(map.require("against"), "variant", names.variants),
-          metrics ? known_items(*metrics, "metric", names.metrics) : Words{"lost"},
-          at ? known(*at, "metric", names.metrics) : "idle_km"};
+  CompareSection section{known_items(map.require("variants"), "variant", names.variants),
+                         known_items(map.require("against"), "variant", names.variants),
+                         metrics ? known_items(*metrics, "metric", names.metrics) : Words{"lost"},
+                         at ? read_at(*at) : "idle_km"};
+  section.primary = read_primary(map, section, names);
+  return section;
 }
 
 MeansSection read_means(YamlMap& map, const Names& names) {
@@ -102,17 +140,24 @@ PageSection read_section(const YamlValue& value, const Names& names) {
   section.correlate = table_of(map, "correlate", read_correlate, names);
   section.settings = table_of(map, "settings", read_settings, names);
   map.finish();
+  if (section.compare && section.compare->primary && section.fronts && section.fronts->primary) {
+    throw value.error("a section has one primary endpoint; make another section of the second");
+  }
   return section;
 }
 
 }  // namespace
 
-Page read_page(const YamlValue& value, const std::vector<std::string>& variants) {
-  Names names{variants, finished_metrics()};
+Page read_page(const YamlValue& value, const PageNames& in_sweep) {
+  Names names{in_sweep, finished_metrics()};
   YamlMap map(value);
   Page page{.title = map.require("title").text(), .text = text_of(map), .sections = {}};
   if (const auto objective = map.find("objective")) {
     page.objective = read_prices(*objective);
+    if (std::any_of(page.objective.begin(), page.objective.end(),
+                    [](const auto& price) { return price.second < 0.0; })) {
+      throw objective->error("a page tells its objective as a ratio; give prices that are not negative");
+    }
     names.metrics.emplace_back("objective");
   }
   for (const auto& item : distinct_items(map.require("sections"))) {

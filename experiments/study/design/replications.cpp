@@ -102,6 +102,15 @@ std::vector<std::string> Replications::scenarios() const {
   return names;
 }
 
+std::vector<std::string> Replications::faults() const {
+  std::vector<std::string> names;
+  names.reserve(faults_.size());
+  for (const auto& faults : faults_) {
+    names.push_back(faults.name);
+  }
+  return names;
+}
+
 std::vector<Replication> Replications::of(const std::string& name, const std::vector<std::uint64_t>& own_seeds) const {
   const auto scenario =
       std::find_if(scenarios_.begin(), scenarios_.end(), [&](const auto& s) { return s.name == name; });

@@ -29,6 +29,8 @@ class Replications {
 
   std::vector<std::string> scenarios() const;  ///< names, in the order of the file
 
+  std::vector<std::string> faults() const;  ///< names of the schedules, in the order of the file
+
   /// Those of one of `scenarios`, by faults, day and seed, in the order of the file; with `own_seeds`, if there are
   /// any, in place of the file's. A schedule that leaves something open is drawn anew for every (day, seed).
   std::vector<Replication> of(const std::string& scenario, const std::vector<std::uint64_t>& own_seeds = {}) const;

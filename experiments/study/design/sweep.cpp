@@ -169,7 +169,9 @@ Sweep read_sweep(const fs::path& file, const SweepReading& reading) {
   }
 
   Sweep sweep;
-  sweep.page = page ? std::optional(read_page(*page, names_of(variants))) : std::nullopt;
+  sweep.page =
+      page ? std::optional(read_page(*page, {names_of(variants), replications.scenarios(), replications.faults()}))
+           : std::nullopt;
   for (auto& variant : variants) {
     variant.seeds.resize(std::min<std::size_t>(variant.seeds.size(), reading.quick ? 1 : variant.seeds.size()));
     for (const auto& name : replications.scenarios()) {

@@ -3,17 +3,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 namespace evbal {
 
 namespace {
-
-void sort_by_cost(std::vector<FrontPoint>& front) {
-  std::sort(front.begin(), front.end(), [](const FrontPoint& a, const FrontPoint& b) {
-    return std::pair(a.cost, a.value) < std::pair(b.cost, b.value);
-  });
-}
 
 /// Whether `middle` lies on or above the line from `left` to `right`.
 bool is_above(const FrontPoint& left, const FrontPoint& middle, const FrontPoint& right) {
@@ -23,17 +18,29 @@ bool is_above(const FrontPoint& left, const FrontPoint& middle, const FrontPoint
 
 }  // namespace
 
-std::vector<FrontPoint> lower_hull(std::vector<FrontPoint> front) {
-  sort_by_cost(front);
-  std::vector<FrontPoint> hull;
-  for (const FrontPoint& point : front) {
-    if (!hull.empty() && point.value >= hull.back().value) {
+std::vector<std::size_t> hull_corners(const std::vector<FrontPoint>& points) {
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::pair(points[a].cost, points[a].value) < std::pair(points[b].cost, points[b].value);
+  });
+  std::vector<std::size_t> corners;
+  for (const std::size_t i : order) {
+    if (!corners.empty() && points[i].value >= points[corners.back()].value) {
       continue;
     }
-    while (hull.size() >= 2 && is_above(hull[hull.size() - 2], hull.back(), point)) {
-      hull.pop_back();
+    while (corners.size() >= 2 && is_above(points[corners[corners.size() - 2]], points[corners.back()], points[i])) {
+      corners.pop_back();
     }
-    hull.push_back(point);
+    corners.push_back(i);
+  }
+  return corners;
+}
+
+std::vector<FrontPoint> lower_hull(const std::vector<FrontPoint>& points) {
+  std::vector<FrontPoint> hull;
+  for (const std::size_t corner : hull_corners(points)) {
+    hull.push_back(points[corner]);
   }
   return hull;
 }
@@ -57,12 +64,9 @@ std::vector<FrontPoint> least_sum(const std::vector<std::vector<FrontPoint>>& hu
   return sum;
 }
 
-std::optional<double> value_at(std::vector<FrontPoint> front, double cost) {
-  sort_by_cost(front);
-  const auto same_cost = [](const FrontPoint& a, const FrontPoint& b) { return a.cost == b.cost; };
-  front.erase(std::unique(front.begin(), front.end(), same_cost), front.end());
-  const auto above =
-      std::find_if(front.begin(), front.end(), [cost](const FrontPoint& point) { return point.cost >= cost; });
+std::optional<double> value_at(const std::vector<FrontPoint>& front, double cost) {
+  const auto above = std::lower_bound(front.begin(), front.end(), cost,
+                                      [](const FrontPoint& point, double least) { return point.cost < least; });
   if (above == front.end() || (above == front.begin() && above->cost > cost)) {
     return std::nullopt;
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -11,13 +12,16 @@ struct FrontPoint {
   double value = 0.0;  ///< such as lost passengers
 };
 
-/// The value that a controller has at `cost`, linear between the neighbouring points of its front, in any order; of
-/// points with the same cost the lowest counts. Nothing if `cost` lies outside of the front: it says nothing there.
-std::optional<double> value_at(std::vector<FrontPoint> front, double cost);
+/// The value at `cost` of the line through points of rising cost. Nothing if `cost` lies outside: they say nothing
+/// there.
+std::optional<double> value_at(const std::vector<FrontPoint>& front, double cost);
 
-/// The lower convex hull of the points that no other one betters in cost and value, by cost: what a controller comes to
-/// if it changes between its settings. One point at least, costs rising and values falling.
-std::vector<FrontPoint> lower_hull(std::vector<FrontPoint> front);
+/// The positions of the corners of the lower convex hull, by cost, among points in any order: those that no other one,
+/// and no line between two others, betters in cost and value. Costs rise and values fall from corner to corner.
+std::vector<std::size_t> hull_corners(const std::vector<FrontPoint>& points);
+
+/// These corners themselves: what a controller comes to if it changes between its settings.
+std::vector<FrontPoint> lower_hull(const std::vector<FrontPoint>& points);
 
 /// The least that several days come to together for each cost in all, from the lower hull of each, of which there is
 /// one at least: where the next cost saves most, it is spent first.

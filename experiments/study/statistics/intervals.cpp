@@ -1,8 +1,6 @@
 #include "experiments/study/statistics/intervals.hpp"
 
 #include "common/contract.hpp"
-#include "common/random.hpp"
-#include "experiments/metrics/quantile.hpp"
 
 #include <unsupported/Eigen/SpecialFunctions>
 
@@ -11,12 +9,12 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <optional>
 
 namespace evbal {
 namespace {
 
 constexpr double level = 0.95;
-constexpr int draws = 10'000;
 
 double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
@@ -41,14 +39,19 @@ double outside(double t, int degrees) {
   return Eigen::numext::betainc(degrees / 2.0, 0.5, degrees / (degrees + t * t));
 }
 
-/// Standard error of a mean of two values or more.
-double standard_error(const std::vector<double>& values, double centre) {
+/// Standard error of a mean of two values or more; nothing where these are one value but for rounding, other than 0.
+std::optional<double> standard_error(const std::vector<double>& values, double centre) {
+  if (values.size() < 2) {
+    return std::nullopt;
+  }
   double squares = 0.0;
   for (const double value : values) {
     squares += (value - centre) * (value - centre);
   }
   const auto count = static_cast<double>(values.size());
-  return std::sqrt(squares / (count - 1.0) / count);
+  const double error = std::sqrt(squares / (count - 1.0) / count);
+  const double rounding = 10.0 * std::numeric_limits<double>::epsilon() * std::abs(centre);
+  return error > rounding || centre == 0.0 ? std::optional(error) : std::nullopt;
 }
 
 Interval unknown(double mean) {
@@ -73,24 +76,26 @@ double student_t(double probability, int degrees) {
   return high;
 }
 
+bool is_known(const Interval& interval) {
+  return std::isfinite(interval.low) && std::isfinite(interval.high);
+}
+
 Interval t_interval(const std::vector<DayValue>& values) {
   const std::vector<double> means = day_means(values);
   const double centre = mean(means);
-  if (means.size() < 2) {
+  const auto error = standard_error(means, centre);
+  if (!error) {
     return unknown(centre);
   }
-  const double half = student_t(level, static_cast<int>(means.size()) - 1) * standard_error(means, centre);
+  const double half = student_t(level, static_cast<int>(means.size()) - 1) * *error;
   return {centre, centre - half, centre + half};
 }
 
 double t_test(const std::vector<DayValue>& values) {
   const std::vector<double> means = day_means(values);
   const double centre = mean(means);
-  if (means.size() < 2 || centre == 0.0) {
-    return 1.0;
-  }
-  const double error = standard_error(means, centre);
-  return error == 0.0 ? 0.0 : outside(centre / error, static_cast<int>(means.size()) - 1);
+  const auto error = standard_error(means, centre);
+  return !error || centre == 0.0 ? 1.0 : outside(centre / *error, static_cast<int>(means.size()) - 1);
 }
 
 std::vector<double> holm(const std::vector<double>& p) {
@@ -104,23 +109,6 @@ std::vector<double> holm(const std::vector<double>& p) {
     adjusted[order[i]] = largest;
   }
   return adjusted;
-}
-
-Interval bootstrap_interval(const std::vector<DayValue>& values) {
-  const std::vector<double> means = day_means(values);
-  if (means.size() < 2) {
-    return unknown(mean(means));
-  }
-  std::vector<double> drawn_means;
-  for (std::uint64_t draw = 0; draw < draws; ++draw) {
-    RandomStream stream(0, Purpose::resampled_day, {.index = draw});
-    double sum = 0.0;
-    for (std::size_t i = 0; i < means.size(); ++i) {
-      sum += means[stream.below(means.size())];
-    }
-    drawn_means.push_back(sum / static_cast<double>(means.size()));
-  }
-  return {mean(means), quantile(drawn_means, (1.0 - level) / 2.0), quantile(drawn_means, (1.0 + level) / 2.0)};
 }
 
 }  // namespace evbal

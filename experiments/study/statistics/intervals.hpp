@@ -14,23 +14,22 @@ struct DayValue {
   double value = 0.0;  ///< on that day
 };
 
-/// A mean and its 95 % interval, which is infinite where there are fewer than two days.
+/// A mean and its 95 % interval, which is infinite where it is not known: with fewer than two days, or if all days
+/// agree to the last digit on something else than 0, which says nothing of how days vary.
 struct Interval {
   double mean = 0.0;  ///< of the days' means
   double low = 0.0;   ///< lower end
   double high = 0.0;  ///< upper end
 };
 
+/// Whether it is known.
+bool is_known(const Interval& interval);
+
 /// By Student's t on the days' means: right for few days if their means are about normal. `values` is not empty.
 Interval t_interval(const std::vector<DayValue>& values);
 
-/// By 10000 draws of as many days with replacement, each day with all its seeds, between the 2.5th and the 97.5th
-/// percentile of their means. Assumes no law, but is too narrow with fewer than some twenty days. The draws are the
-/// same every time. `values` is not empty.
-Interval bootstrap_interval(const std::vector<DayValue>& values);
-
-/// The p value of Student's t test, two-sided, that the days' means are 0 in the mean; 1 with fewer than two days.
-/// `values` is not empty.
+/// The p value of Student's t test, two-sided, that the days' means are 0 in the mean; 1 where the interval is not
+/// known. `values` is not empty.
 double t_test(const std::vector<DayValue>& values);
 
 /// p values of one family as Holm adjusts them: to call those below 0.05 shown is wrong, in one of them or more, with

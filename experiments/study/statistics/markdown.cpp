@@ -7,12 +7,18 @@
 
 namespace evbal {
 
+int digits_for(double size) {
+  return size >= 100.0 ? 0 : size >= 10.0 ? 1 : size >= 1.0 ? 2 : 3;
+}
+
 std::string rounded(double value) {
-  const double size = std::abs(value);
-  return fixed(value, size >= 100.0 ? 0 : size >= 10.0 ? 1 : size >= 1.0 ? 2 : 3);
+  return fixed(value, digits_for(std::abs(value)));
 }
 
 std::string range(const Interval& interval, double factor, int digits, bool sign) {
+  if (!is_known(interval)) {
+    return "not known";
+  }
   return fixed(factor * interval.low, digits, sign) + " .. " + fixed(factor * interval.high, digits, sign);
 }
 

@@ -15,7 +15,10 @@ using Words = std::vector<std::string>;
 /// With three digits, or whole.
 std::string rounded(double value);
 
-/// "low .. high", both times `factor`.
+/// As many decimals as tell values of that size apart to three digits.
+int digits_for(double size);
+
+/// "low .. high", both times `factor`, or that it is not known.
 std::string range(const Interval& interval, double factor, int digits, bool sign);
 
 /// A row of a Markdown table, with its line break.

@@ -2,28 +2,15 @@
 
 #include "common/decimal.hpp"
 #include "common/table_text.hpp"
-#include "experiments/study/statistics/comparison.hpp"
-#include "experiments/study/statistics/front_comparison.hpp"
-#include "experiments/study/statistics/markdown.hpp"
-
-#include <algorithm>
-#include <iterator>
-#include <tuple>
+#include "experiments/study/statistics/comparison_table.hpp"
+#include "experiments/study/statistics/variant_days.hpp"
 
 namespace evbal {
 namespace {
 
 constexpr double shown_below = 0.05;
 
-/// The days of `variants`, in the order of the sweep.
-std::vector<FinishedDay> days_of(const std::vector<FinishedDay>& days, const Words& variants) {
-  std::vector<FinishedDay> some;
-  std::copy_if(days.begin(), days.end(), std::back_inserter(some),
-               [&](const FinishedDay& day) { return contains(variants, day.variant); });
-  return some;
-}
-
-/// A comparison of a section: a variant, all its settings together, against a reference.
+/// A row of a section, and the question that it answers.
 struct Answer {
   Question question;
   Compared row;
@@ -31,6 +18,11 @@ struct Answer {
   std::string who() const {
     return "`" + row.variant + "` against `" + question.reference + "`, " + question.metric + ", " +
            markdown_cell(row.scenario) + (row.faults.empty() ? "" : " " + markdown_cell(row.faults));
+  }
+  Words cells() const {
+    const bool single = row.settings.empty() || row.whole;
+    return {markdown_cell(row.scenario), markdown_cell(row.faults),
+            row.variant + (single ? "" : " " + markdown_cell(row.settings)), question.reference, question.metric};
   }
 };
 
@@ -41,84 +33,50 @@ std::vector<Answer> answers_of(const CompareSection& section, const std::vector<
       const Question question{.metric = metric, .reference = reference, .at = section.at};
       Words both = section.variants;
       both.push_back(reference);
-      const auto rows = compare(days_of(days, both), question);
-      for (std::size_t i = 0; i < rows.size(); ++i) {
-        const auto same = [&](const Compared& other) {
-          return std::tie(other.scenario, other.faults, other.variant) ==
-                 std::tie(rows[i].scenario, rows[i].faults, rows[i].variant);
-        };
-        if (i + 1 == rows.size() || !same(rows[i + 1])) {
-          answers.push_back({question, rows[i]});
+      for (const Compared& row : compare(days_of(days, both), question)) {
+        if (row.whole || !section.at) {
+          answers.push_back({question, row});
         }
       }
     }
   }
-  std::vector<Compared> family;
-  family.reserve(answers.size());
-  for (const auto& answer : answers) {
-    family.push_back(answer.row);
-  }
-  adjust(family);
-  for (std::size_t i = 0; i < answers.size(); ++i) {
-    answers[i].row = family[i];
-  }
   return answers;
 }
 
-Words difference_cells(const Compared& row) {
-  if (row.pairs == 0) {
-    return {"", "", "", "", "", "", ""};
-  }
-  const Interval& shown = row.relative ? row.by_t : row.difference;
-  const double factor = row.relative ? 100.0 : 1.0;
-  return {rounded(row.value),
-          rounded(row.reference),
-          fixed(factor * shown.mean, 1, true) + (row.relative ? " %" : ""),
-          range(shown, factor, 1, true),
-          row.relative ? range(row.by_bootstrap, factor, 1, true) : "",
-          fixed(row.p, 4),
-          fixed(row.p_holm, 4)};
-}
-
-/// What the table shows, in words, by one rule for all.
-std::string verdict(const std::vector<Answer>& answers) {
-  std::string lower;
-  std::string higher;
-  int open = 0;
-  for (const auto& answer : answers) {
-    if (answer.row.pairs > 0 && answer.row.p_holm < shown_below) {
-      const Interval& shown = answer.row.relative ? answer.row.by_t : answer.row.difference;
-      std::string& list = shown.mean < 0.0 ? lower : higher;
-      list += (list.empty() ? "" : "; ") + answer.who();
-    } else {
-      ++open;
-    }
-  }
-  return "p below 0.05 after Holm's adjustment, rows in all: " + std::to_string(answers.size()) +
-         ". Lower: " + (lower.empty() ? "none" : lower) + ". Higher: " + (higher.empty() ? "none" : higher) +
-         ". Rows in which no difference is shown: " + std::to_string(open) + ".\n";
+std::string aim_text(double aim, const Answer& answer) {
+  const Compared& row = answer.row;
+  const bool known = row.days > 0 && row.relative;
+  const std::string result = !known                               ? "not known"
+                             : 100.0 * row.difference.high <= aim ? "reached, with the whole interval"
+                             : 100.0 * row.difference.mean <= aim ? "reached in the mean, not with the whole interval"
+                                                                  : "missed";
+  return "- Aim " + fixed(aim, 0, true) + " %, " + answer.who() + ": " + result +
+         (known ? " (" + difference_text(row) + ", " + interval_text(row) + ")" : "") + ".\n";
 }
 
 std::string aims(const CompareSection& section, const std::vector<Answer>& answers) {
   std::string text;
   for (const auto& [metric, aim] : section.aims) {
     for (const auto& answer : answers) {
-      if (answer.question.metric == metric) {
-        const Compared& row = answer.row;
-        const bool known = row.pairs > 0 && row.relative;
-        const bool mean = known && 100.0 * row.by_t.mean <= aim;
-        text += "- Aim " + fixed(aim, 0, true) + " %, " + answer.who() + ": " +
-                (!known                         ? "not known"
-                 : 100.0 * row.by_t.high <= aim ? "reached, with the whole interval"
-                 : mean                         ? "reached in the mean, not with the whole interval"
-                                                : "missed") +
-                (known ? " (" + fixed(100.0 * row.by_t.mean, 1, true) + " %, " + range(row.by_t, 100.0, 1, true) + ")"
-                       : "") +
-                ".\n";
-      }
+      text += answer.question.metric == metric ? aim_text(aim, answer) : "";
     }
   }
   return text.empty() ? "" : "\n" + text;
+}
+
+/// What is shown of the primary endpoints, in words.
+std::string verdict(const std::vector<PrimaryAnswer>& answers) {
+  std::string lower;
+  std::string higher;
+  std::string open;
+  for (const auto& answer : answers) {
+    const bool shown = answer.row.days > 0 && answer.p_holm < shown_below;
+    std::string& list = !shown ? open : answer.row.difference.mean < 0.0 ? lower : higher;
+    list += (list.empty() ? "" : "; ") + Answer{answer.question, answer.row}.who();
+  }
+  const auto or_none = [](const std::string& list) { return list.empty() ? "none" : list; };
+  return "Lower, with p below 0.05 after Holm's adjustment: " + or_none(lower) + ". Higher: " + or_none(higher) +
+         ". No difference is shown: " + or_none(open) + ".\n";
 }
 
 }  // namespace
@@ -127,57 +85,49 @@ std::string compared(const CompareSection& section, const std::vector<FinishedDa
   const auto answers = answers_of(section, days);
   Words names = {"scenario", "faults", "variant", "against", "metric"};
   const std::size_t left = names.size();
-  for (const char* name :
-       {"value", "reference", "difference", "95 % by t", "by bootstrap", "p", "p, Holm", "pairs", "outside"}) {
-    names.emplace_back(name);
-  }
-  if (section.at) {
-    names.insert(names.begin() + static_cast<std::ptrdiff_t>(left), *section.at);
+  const Words numbers = comparison_head({.at = section.at}, "value", "reference");
+  names.insert(names.end(), numbers.begin(), numbers.end());
+  if (section.primary) {
+    names.emplace_back("endpoint");
   }
   std::string text = header(names, left);
-  for (const auto& [question, row] : answers) {
-    Words cells = {markdown_cell(row.scenario), markdown_cell(row.faults), row.variant, question.reference,
-                   question.metric};
-    if (section.at) {
-      cells.push_back(row.pairs > 0 ? rounded(row.at) : "");
-    }
-    const Words more = difference_cells(row);
+  for (const auto& answer : answers) {
+    Words cells = answer.cells();
+    const Words more = comparison_cells(answer.row, answer.question);
     cells.insert(cells.end(), more.begin(), more.end());
-    cells.push_back(std::to_string(row.pairs));
-    cells.push_back(std::to_string(row.outside));
+    if (section.primary) {
+      cells.emplace_back(is_row_of(*section.primary, answer.question, answer.row) ? "primary" : "");
+    }
     text += table_row(cells);
   }
-  return text + "\n" + verdict(answers) + aims(section, answers);
+  return text + aims(section, answers);
 }
 
-std::string compared(const FrontsSection& section, const std::vector<FinishedDay>& days) {
-  std::string text = header({"scenario", "faults", "variant", "against", "metric", "value", "reference", "of totals",
-                             "difference", "95 % by t", "p", "days", "apart", "covered"},
-                            5);
-  const auto per_cent = [](double share) { return fixed(100.0 * share, 1, true) + " %"; };
-  for (const auto& metric : section.metrics) {
-    for (const auto& reference : section.against) {
-      Words both = section.variants;
-      both.push_back(reference);
-      for (const auto& row : compare_fronts(days_of(days, both), {metric, reference, section.at})) {
-        Words cells = {markdown_cell(row.scenario), markdown_cell(row.faults), row.variant, reference, metric};
-        const Words known = row.days == 0 ? Words(6)
-                                          : Words{rounded(row.value),
-                                                  rounded(row.reference),
-                                                  row.reference > 0.0 ? per_cent(row.value / row.reference - 1.0) : "",
-                                                  per_cent(row.ratio.mean),
-                                                  range(row.ratio, 100.0, 1, true),
-                                                  fixed(row.p, 4)};
-        cells.insert(cells.end(), known.begin(), known.end());
-        for (const int count : {row.days, row.apart}) {
-          cells.push_back(std::to_string(count));
-        }
-        cells.push_back(fixed(100.0 * row.covered, 0) + " %");
-        text += table_row(cells);
-      }
-    }
+std::string primaries(const std::vector<PrimaryAnswer>& answers) {
+  const std::string exploratory =
+      "exploratory: its interval stands for itself alone, and of twenty such intervals one misses on average.\n";
+  if (answers.empty()) {
+    return "The file names no primary endpoint. Every row of a comparison is " + exploratory;
   }
-  return text;
+  std::string text = header({"section", "scenario", "faults", "variant", "against", "metric", "difference", "95 % by t",
+                             "p", "p, Holm", "days"},
+                            6);
+  for (const auto& answer : answers) {
+    Words cells = Answer{answer.question, answer.row}.cells();
+    cells.insert(cells.begin(), markdown_cell(answer.section));
+    const bool known = answer.row.days > 0;
+    for (const std::string& cell :
+         {known ? difference_text(answer.row) : "", known ? interval_text(answer.row) : "",
+          known ? fixed(answer.row.p, 4) : "", known ? fixed(answer.p_holm, 4) : "", std::to_string(answer.row.days)}) {
+      cells.push_back(cell);
+    }
+    text += table_row(cells);
+  }
+  return text + "\n" + verdict(answers) +
+         "\np is of Student's t test on the days' results, beside it as Holm adjusts it for all rows of this table. "
+         "Every "
+         "other row of a comparison is " +
+         exploratory;
 }
 
 }  // namespace evbal

@@ -5,6 +5,7 @@
 #include "experiments/study/statistics/intervals.hpp"
 #include "experiments/study/statistics/markdown.hpp"
 #include "experiments/study/statistics/page_comparison.hpp"
+#include "experiments/study/statistics/primaries.hpp"
 #include "experiments/study/statistics/ranks.hpp"
 #include "experiments/study/statistics/replication.hpp"
 
@@ -12,6 +13,7 @@
 #include <cstdint>
 #include <set>
 #include <tuple>
+#include <utility>
 
 namespace evbal {
 namespace {
@@ -46,7 +48,7 @@ std::string means(const MeansSection& section, const std::vector<FinishedDay>& d
         values.push_back({day->day, day->totals.at(metric)});
       }
       const Interval mean = t_interval(values);
-      cells.push_back(rounded(mean.mean) + " ± " + rounded(mean.high - mean.mean));
+      cells.push_back(rounded(mean.mean) + (is_known(mean) ? " ± " + rounded(mean.high - mean.mean) : ""));
     }
     text += table_row(cells);
   }
@@ -126,9 +128,7 @@ std::string listed(const std::vector<FinishedDay>& days, const Value& value) {
 }  // namespace
 
 std::string page_markdown(const Page& page, std::vector<FinishedDay> days, const std::string& command) {
-  for (auto& day : days) {
-    day.totals["objective"] = priced(page.objective, day);
-  }
+  days = with_objective(page, std::move(days));
   std::string text =
       "# " + page.title + "\n\n" + page.text + "\n\nMade by\n\n    " + command + "\n\nfrom " +
       std::to_string(days.size()) +
@@ -137,6 +137,10 @@ std::string page_markdown(const Page& page, std::vector<FinishedDay> days, const
       ". Seeds: " + listed(days, [](const FinishedDay& day) { return std::to_string(day.seed); }) +
       ". Faults: " + listed(days, [](const FinishedDay& day) { return day.faults.empty() ? "own" : day.faults; }) +
       ".\n";
+  if (std::any_of(page.sections.begin(), page.sections.end(),
+                  [](const PageSection& section) { return section.compare || section.fronts; })) {
+    text += "\n## Primary endpoints\n\n" + primaries(primary_answers(page, days));
+  }
   for (const auto& section : page.sections) {
     text += "\n## " + section.title + "\n\n" + section.text + (section.text.empty() ? "" : "\n\n");
     text += section.compare ? compared(*section.compare, days) : "";

@@ -78,7 +78,8 @@ TEST(Completion, OfWhatIsListed) {
   EXPECT_EQ(offered("tune \"\""), listed_names("studies"));
   EXPECT_EQ(offered("run --controller \"\""), listed_names("controllers"));
   EXPECT_EQ(offered("run toy.yaml --faults \"\""), listed_names("faults"));
-  EXPECT_EQ(offered("compare swept --at \"\""), listed_names("metrics"));
+  EXPECT_EQ(offered("compare swept --metric \"\""), listed_names("metrics"));
+  EXPECT_EQ(offered("compare swept --at \"\""), (Words{"idle_km", "idle_km_after_7", "lost", "lost_after_7"}));
   EXPECT_EQ(offered("verify toy"), Words{"toy-5"});
 }
 

@@ -58,7 +58,7 @@ TEST(Sweep, GoesOnAfterAKillAndGivesTheSameBytesForAnyNumberOfJobs) {
   const Ended compared = line.evbal("compare whole --against ratio");
   EXPECT_EQ(compared.status, 0) << compared.err;
   EXPECT_NE(compared.out.find("turnover  balancing.p_shortage=24 "), std::string::npos) << compared.out;
-  EXPECT_EQ(lines_of(compared.out), 4) << compared.out;
+  EXPECT_EQ(lines_of(compared.out), 3) << compared.out;
   EXPECT_EQ(line.evbal("compare whole --against robust").status, 2);
 }
 

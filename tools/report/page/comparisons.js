@@ -1,24 +1,35 @@
 "use strict";
-// Variants of a sweep against one of them, pair by pair, with intervals; and against what the paper reports.
+// Variants of a sweep against one of them, day by day, with intervals; and against what the paper reports.
 
-// Relative differences in per cent; where the reference is 0 somewhere, plain ones.
 const signed = (value, digits) => (value > 0 ? "+" : value < 0 ? "−" : "±") + number(Math.abs(value), digits);
-const difference = ([mean], relative) => relative ? signed(100 * mean, 1) + " %" : signed(mean, 1);
-const range = (interval, relative) => !interval ? "" : interval[1] === null ? "not known"
-  : signed((relative ? 100 : 1) * interval[1], 1) + " … " + signed((relative ? 100 : 1) * interval[2], 1);
 
-// Less is better of all that is compared.
-const verdict = ({by_t: [mean], p_holm: p}) => p >= 0.05 ? "" : mean < 0 ? "better" : "worse";
+// Per cent, or as many digits as tell plain differences apart.
+const digitsOf = ({relative, difference}) => {
+  const size = Math.max(...difference.filter(Number.isFinite).map(Math.abs));
+  return relative || size >= 10 ? 1 : size >= 1 ? 2 : 3;
+};
+const differenceOf = row => signed((row.relative ? 100 : 1) * row.difference[0], digitsOf(row)) + (row.relative ? " %" : "");
+const rangeOf = row => {
+  const [, low, high] = row.difference;
+  return low === null || high === null ? "not known"
+    : [low, high].map(end => signed((row.relative ? 100 : 1) * end, digitsOf(row))).join(" … ");
+};
+
+// Less is better of all that is compared; only primary endpoints are judged.
+const verdict = row => row.p_holm === null || row.p_holm >= 0.05 ? "" : row.difference[0] < 0 ? "better" : "worse";
 
 const result = (row, text) => element("td", verdict(row), text);
+
+const shareText = share => number(100 * share) + " %";
+const costText = ({from, to}) => from === to ? number(from) : number(from) + " … " + number(to);
 
 // The cells of a row of a comparison, and of the same row with what happens before 07:00 left out.
 function comparisonCells(row, after, at) {
   return [
-    ...(at ? [number(row.at)] : []), brief(row.value), brief(row.reference),
-    result(row, difference(row.by_t, row.relative)), result(row, range(row.by_t, row.relative)),
-    range(row.by_bootstrap, true), number(row.p_holm, 4),
-    after?.pairs > 0 ? result(after, difference(after.by_t, after.relative) + ", " + range(after.by_t, after.relative)) : "",
+    ...(at ? [costText(row)] : []), brief(row.value), brief(row.reference),
+    row.of_totals === null ? "" : signed(100 * row.of_totals, 1) + " %",
+    result(row, differenceOf(row)), result(row, rangeOf(row)), row.p_holm === null ? "" : number(row.p_holm, 4),
+    after?.days > 0 ? differenceOf(after) + ", " + rangeOf(after) : "",
   ];
 }
 
@@ -26,12 +37,15 @@ function comparisonTable({metric, at, reference, rows}) {
   const later = report.sweep.answers.find(other => other.metric === metric + late && other.reference === reference);
   const keys = ["scenario", "faults", "variant", "settings"];
   const same = row => later?.rows.find(other => keys.every(key => other[key] === row[key]));
-  const head = [...(at ? [lower(metricNames[at])] : []), "mean", reference, "difference", "95 % by t", "95 % by bootstrap",
-    "p, Holm", later ? "from 07:00 on, by t" : ""];
-  return table(["variant", wordHead("settings"), ...placeHead(), ...head, "pairs", "outside"], rows.map(row => [
-    row.variant, words(row.settings.replace(/[^ =]*[.]([^ .=]+=)/g, "$1") || "all together"), ...placeCells(row),
-    ...(row.pairs > 0 ? comparisonCells(row, same(row), at) : head.map(() => "")), String(row.pairs), String(row.outside),
-  ]));
+  const head = [...(at ? [lower(metricNames[at])] : []), lower(metricNames[metric]), reference, "of totals", "difference",
+    "95 % by t", "p, Holm", later ? "from 07:00 on" : ""];
+  const counts = row => [String(row.days), ...(at ? [String(row.apart), row.inside + " of " + row.points,
+    row.from < row.to ? shareText(row.covered) : ""] : [])];
+  return table(["variant", wordHead("settings"), ...placeHead(), ...head, "days", ...(at ? ["apart", "inside", "covered"] : [])],
+    rows.map(row => [
+      row.variant, words(row.settings.replace(/[^ =]*[.]([^ .=]+=)/g, "$1") || "whole front"), ...placeCells(row),
+      ...(row.days > 0 ? comparisonCells(row, same(row), at) : head.map(() => "")), ...counts(row),
+    ]));
 }
 
 function addComparisons() {
@@ -39,10 +53,11 @@ function addComparisons() {
     metricNames[metric] + (at ? " at equal " + lower(metricNames[at]) : "") + ", against " + reference;
   const whole = report.sweep.answers.filter(({metric}) => !metric.endsWith(late));
   if (whole.length > 0) {
-    section("Comparisons", element("p", "note", "Relative differences in per cent, pair by pair: the same day, seed and " +
-      "faults; plain ones where the reference is 0 somewhere. Coloured where p, of Student's t and adjusted after Holm " +
-      "for all rows of the table, is below 0.05; the bootstrap's intervals are too narrow for few days. Outside: pairs " +
-      "beyond the reference's front, compared with nothing."),
+    section("Comparisons", element("p", "note", "Day by day, on the same seeds and faults; days are the sample. Sums over a " +
+      "day in per cent, others as plain differences. Fronts over what both cover, a single setting at its own place on the " +
+      "reference's front; inside: points of the variant, counted on each day, that lie there. p stands beside primary " +
+      "endpoints of the sweep's page, adjusted after Holm for all of these, and is coloured below 0.05. All other rows are " +
+      "exploratory: of twenty intervals one misses on average."),
       ...whole.map(answer => element("div", "card wide narrow", element("h3", "", title(answer)),
         answer.refused ? element("p", "", answer.refused) : comparisonTable(answer))));
   }
@@ -54,10 +69,10 @@ function addPaper() {
   const reported = [["unfairness_demand", "−15.78 %"], ["unfairness_charging", "−34.51 %"]];
   const rows = reported.flatMap(([metric, paper]) => report.sweep.answers
     .filter(answer => answer.metric === metric && controllerOf(answer.reference) === "nominal")
-    .flatMap(answer => answer.rows.filter(row => controllerOf(row.variant) === "robust" && row.pairs > 0).map(row =>
+    .flatMap(answer => answer.rows.filter(row => controllerOf(row.variant) === "robust" && row.days > 0).map(row =>
       [metricNames[metric] + (answer.at ? " at equal " + lower(metricNames[answer.at]) : ""),
-        words([row.variant, row.settings, placeWords(row)].filter(Boolean).join(", ")), paper,
-        difference(row.by_t, row.relative), range(row.by_t, row.relative)])));
+        words([row.variant, row.settings || "whole front", placeWords(row)].filter(Boolean).join(", ")), paper,
+        differenceOf(row), rangeOf(row)])));
   if (rows.length > 0) {
     section("Beside the paper", element("p", "note", "The paper's method against its rival without robustness, on records " +
       "of Shenzhen that are not public; its total cost fell by 14.49 %."),

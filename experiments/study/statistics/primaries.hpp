@@ -1,0 +1,35 @@
+#pragma once
+
+#include "experiments/study/design/page.hpp"
+#include "experiments/study/statistics/comparison.hpp"
+
+#include <string>
+#include <vector>
+
+/// The primary endpoints of a page: the family for which p values are adjusted, wherever one of them is shown.
+namespace evbal {
+
+/// Whether a row of an answer to `question` is that of the endpoint.
+bool is_row_of(const PrimaryEndpoint& primary, const Question& question, const Compared& row);
+
+/// A primary endpoint and what came of it.
+struct PrimaryAnswer {
+  std::string section;  ///< title
+  Question question;    ///< that it answers
+  Compared row;         ///< the answer; without days if there is none
+  double p_holm = 1.0;  ///< its p value as Holm adjusts it for all of the page, those without an answer too
+
+  /// Whether a row of an answer to `asked` is this one.
+  bool is(const Question& asked, const Compared& other) const;
+};
+
+/// The page's metric `objective` added to the days.
+std::vector<FinishedDay> with_objective(const Page& page, std::vector<FinishedDay> days);
+
+/// What came of each, in the order of the page. `days` have the page's objective.
+std::vector<PrimaryAnswer> primary_answers(const Page& page, const std::vector<FinishedDay>& days);
+
+/// The page of a sweep whose file is `text`, as it is read for its finished days; one without sections if it has none.
+Page page_of(const std::string& text, const std::vector<FinishedDay>& days);
+
+}  // namespace evbal
