@@ -5,7 +5,7 @@
 # Debian wants for each package: its changes, compressed, and whose it is on what terms. the others share evbal's folder.
 set(deb ${PROJECT_BINARY_DIR}/deb)
 file(MAKE_DIRECTORY ${deb})
-set(copyright ${PROJECT_SOURCE_DIR}/tools/deb/copyright /usr/share/doc/libjs-d3/copyright /usr/share/doc/coinor-libipopt-dev/copyright)
+set(copyright ${PROJECT_SOURCE_DIR}/tools/deb/copyright /usr/share/doc/node-d3/copyright /usr/share/doc/coinor-libipopt-dev/copyright)
 add_custom_command(OUTPUT ${deb}/changelog.gz ${deb}/copyright
   COMMAND gzip -9nc ${PROJECT_SOURCE_DIR}/CHANGELOG.md > ${deb}/changelog.gz
   COMMAND cat ${copyright} > ${deb}/copyright

@@ -85,10 +85,12 @@ TEST(Report, DrawsRegionsOnAPlane) {
 
 TEST(Report, NeedsNothingButItself) {
   const std::string page = report_page({.runs = {small_run("robust")}});
-  EXPECT_NE(page.find("d3={version:"), std::string::npos);
-  for (const char* outside : {" src=", "<link", "@import", "fetch("}) {
+  EXPECT_NE(page.find("d3js.org v5."), std::string::npos);
+  EXPECT_NE(page.find("content=\"default-src 'none';"), std::string::npos);
+  for (const char* outside : {" src=", "<link", "@import"}) {
     EXPECT_EQ(page.find(outside), std::string::npos) << outside;
   }
+  EXPECT_EQ(page.find("fetch(", page.find("id=\"data\"")), std::string::npos) << "D3 could, and is not asked to";
   EXPECT_EQ(count(page, "</script>"), 3);  // no data can end a script
 }
 

@@ -9,24 +9,30 @@
 const plotHeight = 240;
 const rightMargin = 22;  // half a time of day
 const dashes = ["none", "7 4", "2 3", "10 3 2 3", "4 4", "1 2"];
-const symbols = ["circle", "square", "triangle-up", "diamond", "cross", "triangle-down"];
+const symbols = [d3.symbolCircle, d3.symbolSquare, d3.symbolTriangle, d3.symbolDiamond, d3.symbolCross, d3.symbolStar];
 const colourOf = style => "var(--series-" + style % 6 + ")";
 const dashOf = ({style, thin}) => thin ? "1 3" : dashes[(style + Math.floor(style / 6)) % 6];
-const symbolOf = style => d3.svg.symbol().size(42).type(symbols[(style + 2 * Math.floor(style / 6)) % 6])();
+const symbolOf = style => d3.symbol().size(42).type(symbols[(style + 2 * Math.floor(style / 6)) % 6])();
+
+// Sets several attributes of what is selected.
+function put(selection, attributes) {
+  Object.entries(attributes).forEach(([name, value]) => selection.attr(name, value));
+  return selection;
+}
 
 function chartScales(chart, left, width, top) {
   const points = chart.series.flatMap(series => series.points);
   const heights = points.flatMap(point => [point.y, point.low, point.high]).filter(Number.isFinite);
-  const x = d3.scale.linear().domain(chart.x.domain ?? d3.extent(points, point => point.x))
+  const x = d3.scaleLinear().domain(chart.x.domain ?? d3.extent(points, point => point.x))
     .range([left, width - rightMargin]);
-  const y = d3.scale.linear().domain(d3.extent(chart.y.fitted ? heights : [0, ...heights]))
+  const y = d3.scaleLinear().domain(d3.extent(chart.y.fitted ? heights : [0, ...heights]))
     .range([top + plotHeight, top]).nice(6);
   return {x: chart.x.domain ? x : x.nice(), y};
 }
 
 function drawAxes(svg, chart, scales, left, width) {
   const [bottom, top] = scales.y.range();
-  const x = d3.svg.axis().scale(scales.x).tickSize(top - bottom).tickPadding(8);
+  const x = d3.axisBottom(scales.x).tickSize(top - bottom).tickPadding(8);
   if (chart.x.clock) {
     const every = width < 420 ? 360 : 180;
     const [from, to] = scales.x.domain();
@@ -34,12 +40,12 @@ function drawAxes(svg, chart, scales, left, width) {
   } else {
     x.ticks(width / 110);
   }
-  const y = d3.svg.axis().scale(scales.y).orient("left").ticks(6).tickSize(left - width + rightMargin).tickPadding(8);
+  const y = d3.axisLeft(scales.y).ticks(6).tickSize(left - width + rightMargin).tickPadding(8);
   svg.append("g").attr("class", "axis").attr("transform", "translate(0," + bottom + ")").call(x);
   svg.append("g").attr("class", "axis").attr("transform", "translate(" + left + ",0)").call(y);
-  svg.append("text").attr({x: (left + width - rightMargin) / 2, y: bottom + 38, "text-anchor": "middle"})
+  put(svg.append("text"), {x: (left + width - rightMargin) / 2, y: bottom + 38, "text-anchor": "middle"})
     .text(chart.x.label);
-  svg.append("text").attr({transform: "translate(14," + (bottom + top) / 2 + ") rotate(-90)", "text-anchor": "middle"})
+  put(svg.append("text"), {transform: "translate(14," + (bottom + top) / 2 + ") rotate(-90)", "text-anchor": "middle"})
     .text(chart.y.label);
 }
 
@@ -63,13 +69,13 @@ function drawWindows(svg, chart, scales) {
   for (const {name, from, to} of chart.windows ?? []) {
     const x = Math.max(left, scales.x(from));
     const width = Math.min(right, scales.x(to)) - x;
-    svg.append("rect").attr({class: "window", x, y: top, width: Math.max(0, width), height: bottom - top})
+    put(svg.append("rect"), {class: "window", x, y: top, width: Math.max(0, width), height: bottom - top})
       .append("title").text(name);
     const text = svg.append("text").attr("y", top - 6).text(name);
     const length = text.node().getComputedTextLength();
     const start = Math.max(left, Math.min(x + (width - length) / 2, right - length));
     const row = ends.findIndex(end => start > end + 8);
-    row < 0 ? text.remove() : text.attr({x: start, y: top - 6 - 15 * row});
+    row < 0 ? text.remove() : put(text, {x: start, y: top - 6 - 15 * row});
     ends[row] = start + length;
   }
 }
@@ -78,13 +84,13 @@ function drawSeries(svg, series, scales) {
   const colour = colourOf(series.style);
   const bounded = series.points.filter(point => Number.isFinite(point.low) && Number.isFinite(point.high));
   if (bounded.length > 1) {
-    svg.append("path").attr("class", "band").style("fill", colour).attr("d", d3.svg.area()
+    svg.append("path").attr("class", "band").style("fill", colour).attr("d", d3.area()
       .x(point => scales.x(point.x)).y0(point => scales.y(point.low)).y1(point => scales.y(point.high))(bounded));
   }
   const points = series.points.filter(point => Number.isFinite(point.y));
   svg.append("path").attr("class", series.thin ? "line thin" : "line")
-    .style({stroke: colour, "stroke-dasharray": dashOf(series)})
-    .attr("d", d3.svg.line().x(point => scales.x(point.x)).y(point => scales.y(point.y))(points));
+    .style("stroke", colour).style("stroke-dasharray", dashOf(series))
+    .attr("d", d3.line().x(point => scales.x(point.x)).y(point => scales.y(point.y))(points));
   if (!series.bare) {
     svg.selectAll(".mark").data(points).enter().append("path").style("fill", colour).attr("d", symbolOf(series.style))
       .attr("transform", point => "translate(" + scales.x(point.x) + "," + scales.y(point.y) + ")");
@@ -103,15 +109,15 @@ function drawLegend(svg, chart, left, width, top) {
   texts.forEach((text, i) => {
     const {style, bare, thin, band} = labelled[i];
     const [x, y] = [left + places[i].left, top + 14 + 20 * places[i].row];
-    text.attr({x: x + 38, y});
+    put(text, {x: x + 38, y});
     if (band) {
-      legend.append("rect").attr({class: "band", x, y: y - 10, width: 32, height: 11}).style("fill", colourOf(style));
+      put(legend.append("rect"), {class: "band", x, y: y - 10, width: 32, height: 11}).style("fill", colourOf(style));
       return;
     }
-    legend.append("path").attr({class: thin ? "line thin" : "line", d: "M" + x + "," + (y - 4) + "h32"})
-      .style({stroke: colourOf(style), "stroke-dasharray": dashOf(labelled[i])});
+    put(legend.append("path"), {class: thin ? "line thin" : "line", d: "M" + x + "," + (y - 4) + "h32"})
+      .style("stroke", colourOf(style)).style("stroke-dasharray", dashOf(labelled[i]));
     if (!bare) {
-      legend.append("path").attr({d: symbolOf(style), transform: "translate(" + (x + 16) + "," + (y - 4) + ")"})
+      put(legend.append("path"), {d: symbolOf(style), transform: "translate(" + (x + 16) + "," + (y - 4) + ")"})
         .style("fill", colourOf(style));
     }
   });
@@ -137,12 +143,13 @@ function tipAt(chart, scales, [x, y]) {
 function listen(svg, chart, scales) {
   const [bottom, top] = scales.y.range();
   const here = svg.append("path").attr("class", "here");
-  svg.on("mousemove", () => {
-    const {point, text} = tipAt(chart, scales, d3.mouse(svg.node()));
+  svg.node().addEventListener("mousemove", event => {
+    const {point, text} = tipAt(chart, scales, d3.clientPoint(svg.node(), event));
     here.attr("d", chart.x.clock ? "M" + scales.x(point.x) + "," + top + "V" + bottom
       : "M" + (scales.x(point.x) - 9) + "," + scales.y(point.y) + "h18m-9,-9v18");
-    showTip(text, d3.event.clientX, d3.event.clientY);
-  }).on("mouseleave", () => {
+    showTip(text, event.clientX, event.clientY);
+  });
+  svg.node().addEventListener("mouseleave", () => {
     here.attr("d", null);
     hideTip();
   });
@@ -150,18 +157,18 @@ function listen(svg, chart, scales) {
 
 // Draws the chart into the empty element `place`, `width` pixels wide.
 function drawChart(place, chart, width) {
-  const svg = d3.select(place).append("svg").attr({xmlns: "http://www.w3.org/2000/svg", role: "img"});
+  const svg = put(d3.select(place).append("svg"), {xmlns: "http://www.w3.org/2000/svg", role: "img"});
   const top = 14 + 15 * Math.min(3, chart.windows?.length ?? 0);
-  const left = 68;
+  const left = 76;
   const scales = chartScales(chart, left, width, top);
   drawAxes(svg, chart, scales, left, width);
   drawWindows(svg, chart, scales);
   chart.series.forEach(series => drawSeries(svg, series, scales));
   if (chart.x.mark !== undefined) {
-    svg.append("path").attr({class: "here", d: "M" + scales.x(chart.x.mark) + "," + top + "v" + plotHeight});
+    put(svg.append("path"), {class: "here", d: "M" + scales.x(chart.x.mark) + "," + top + "v" + plotHeight});
   }
   const height = drawLegend(svg, chart, left, width, top + plotHeight + 50);
-  svg.attr({viewBox: "0 0 " + width + " " + height, "aria-label": chart.y.label + " by " + chart.x.label});
+  put(svg, {viewBox: "0 0 " + width + " " + height, "aria-label": chart.y.label + " by " + chart.x.label});
   listen(svg, chart, scales);
 }
 

@@ -14,7 +14,7 @@ function svgText(svg) {
   });
   const {width, height} = svg.viewBox.baseVal;
   const ground = document.createElementNS(svg.namespaceURI, "rect");
-  d3.select(ground).attr({width, height, fill: getComputedStyle(svg.closest(".card")).backgroundColor});
+  put(d3.select(ground), {width, height, fill: getComputedStyle(svg.closest(".card")).backgroundColor});
   copy.prepend(ground);
   copy.setAttribute("width", width);
   copy.setAttribute("height", height);

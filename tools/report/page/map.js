@@ -34,7 +34,7 @@ function topOf({name, per}) {
 
 // Viridis, which rises evenly in lightness, by the square root, so that small values are told apart too.
 const viridis = ["#440154", "#414487", "#2a788e", "#22a884", "#7ad151", "#fde725"];
-const shade = d3.scale.linear().domain(d3.range(6).map(i => i / 5)).range(viridis).interpolate(d3.interpolateLab)
+const shade = d3.scaleLinear().domain(d3.range(6).map(i => i / 5)).range(viridis).interpolate(d3.interpolateLab)
   .clamp(true);
 
 const fillOf = (value, top) => top === 0 ? (value > 0 ? colourOf(1) : "var(--grid)") : shade(Math.sqrt(value / top));
@@ -62,13 +62,13 @@ function mapPaths(width) {
 // The legend: `top` is where the colours end, 0 if they only say whether a fault acts.
 function drawScale(svg, width, y, top) {
   const x = (width - 260) / 2;
-  const text = (at, below, words) => svg.append("text").attr({x: at, y: y + below, "text-anchor": "middle"}).text(words);
+  const text = (at, below, words) => put(svg.append("text"), {x: at, y: y + below, "text-anchor": "middle"}).text(words);
   if (top === 0) {
-    svg.append("rect").attr({x: width / 2 - 70, y, width: 12, height: 12}).style("fill", colourOf(1));
+    put(svg.append("rect"), {x: width / 2 - 70, y, width: 12, height: 12}).style("fill", colourOf(1));
     text(width / 2 + 12, 11, "a fault acts here");
     return;
   }
-  d3.range(52).forEach(i => svg.append("rect").attr({x: x + 5 * i, y, width: 5.5, height: 12, fill: shade(i / 51)}));
+  d3.range(52).forEach(i => put(svg.append("rect"), {x: x + 5 * i, y, width: 5.5, height: 12, fill: shade(i / 51)}));
   for (const share of [0, 0.25, 0.5, 0.75, 1]) {
     text(x + 260 * share, 28, (share === 1 ? "≥ " : "") + brief(top * share * share));
   }
@@ -79,22 +79,24 @@ function drawScale(svg, width, y, top) {
 function drawMap(frame, width) {
   const {paths, height} = mapPaths(width);
   const top = view.metric.name === "fault" ? 0 : topOf(view.metric);
-  const svg = d3.select(frame).append("svg").attr({xmlns: "http://www.w3.org/2000/svg", role: "img", tabindex: 0,
+  const svg = put(d3.select(frame).append("svg"), {xmlns: "http://www.w3.org/2000/svg", role: "img", tabindex: 0,
     viewBox: "0 0 " + width + " " + Math.ceil(height + 62)});
-  const land = svg.append("svg").attr({width, height}).append("g");
-  const regions = land.selectAll("path").data(paths).enter().append("path")
-    .attr({class: "region", d: path => path, "fill-rule": "evenodd"});
-  const chosen = land.append("path").attr({class: "chosen", fill: "none"});
+  const land = put(svg.append("svg"), {width, height}).append("g");
+  const regions = put(land.selectAll("path").data(paths).enter().append("path"),
+    {class: "region", d: path => path, "fill-rule": "evenodd"});
+  const chosen = put(land.append("path"), {class: "chosen", fill: "none"});
   drawScale(svg, width, height + 12, top);
-  const zoom = d3.behavior.zoom().scaleExtent([1, 12]).on("zoom", () =>
-    land.attr("transform", "translate(" + d3.event.translate + ") scale(" + d3.event.scale + ")"));
+  const zoom = d3.zoom().scaleExtent([1, 12]).on("zoom", () => land.attr("transform", d3.event.transform));
   svg.call(zoom).on("wheel.zoom", null);  // the page scrolls by the wheel
-  const tip = (_, region) => showTip(regionWords(region), d3.event.clientX, d3.event.clientY);
-  regions.on("mousemove", tip).on("mouseleave", hideTip).on("click", (_, region) => look({region}));
-  svg.on("keydown", () => {
-    const move = {ArrowLeft: -1, ArrowUp: -1, ArrowRight: 1, ArrowDown: 1}[d3.event.key];
+  regions.nodes().forEach((path, region) => {
+    path.addEventListener("mousemove", event => showTip(regionWords(region), event.clientX, event.clientY));
+    path.addEventListener("mouseleave", hideTip);
+    path.addEventListener("click", () => look({region}));
+  });
+  svg.node().addEventListener("keydown", event => {
+    const move = {ArrowLeft: -1, ArrowUp: -1, ArrowRight: 1, ArrowDown: 1}[event.key];
     if (move) {
-      d3.event.preventDefault();
+      event.preventDefault();
       look({region: (view.region + move + paths.length) % paths.length});
     }
   });

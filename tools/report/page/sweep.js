@@ -40,8 +40,10 @@ const placeCells = at => told().map(key => words(at[key]));
 
 // The paths that a variant varies in a scenario, by both.
 const family = ({variant, scenario}) => JSON.stringify([variant, scenario]);
-const varied = once(() => new Map(d3.nest().key(family).entries(points()).map(({key, values}) => [key,
-  Object.keys(values[0].settings).filter(path => distinct(values.map(point => point.settings[path])).length > 1)])));
+const varied = once(() => new Map(distinct(points().map(family)).map(key => {
+  const all = points().filter(point => family(point) === key).map(point => point.settings);
+  return [key, Object.keys(all[0]).filter(path => distinct(all.map(settings => settings[path])).length > 1)];
+})));
 
 // "p_ratio=8": the settings that a point's variant varies.
 const settingsOf = point => varied().get(family(point))
