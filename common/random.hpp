@@ -28,6 +28,7 @@ enum class Purpose : std::uint32_t {
   thinned_count = 18,      ///< which of the trips on record a pack takes
   ingested_day = 19,       ///< trips of a day, where records have means only
   verified_day = 20,       ///< days of a study that are played again
+  session_start = 21,      ///< which charging sessions do not start
 };
 
 /// The place of a draw: who draws, when, and for which of several like things.

@@ -52,7 +52,7 @@ struct UnderWay {
   std::int32_t count = 0;             ///< vehicles
 };
 
-/// What a fault does. By family, in the order of FaultFamily, but for the solver's, which come last.
+/// What a fault does. Values are part of every digest: append, never renumber.
 enum class EffectType : std::uint8_t {
   demand_scale = 0,        ///< magnitude: factor on the passengers who appear
   charger_outage = 1,      ///< magnitude: points that do not work
@@ -77,6 +77,7 @@ enum class EffectType : std::uint8_t {
   network_partition = 20,  ///< nothing comes through between the region and the coordinator
   solver_fail = 21,        ///< no solve succeeds
   solver_starve = 22,      ///< magnitude: iterations that a solve may take
+  charger_no_start = 23,   ///< magnitude: probability that a charging session does not start
 };
 
 /// Whom a fault acts on.
@@ -90,7 +91,8 @@ enum class FaultFamily {
 
 /// The family that an effect belongs to.
 constexpr FaultFamily family_of(EffectType type) {
-  return type <= EffectType::travel_slow         ? FaultFamily::world
+  const bool world = type <= EffectType::travel_slow || type == EffectType::charger_no_start;
+  return world                                   ? FaultFamily::world
          : type <= EffectType::sensor_off        ? FaultFamily::sensor
          : type <= EffectType::process_slow      ? FaultFamily::process
          : type <= EffectType::network_partition ? FaultFamily::network

@@ -59,6 +59,21 @@ int RegionPlant::points_blocked(bool visible_only) const {
   return blocked;
 }
 
+bool RegionPlant::starts(const Vehicle& vehicle, int minute) {
+  RandomStream stream(world_.seed, Purpose::session_start,
+                      {.region = static_cast<std::uint64_t>(world_.region),
+                       .tick = static_cast<std::uint64_t>(minute),
+                       .index = static_cast<std::uint64_t>(vehicle.id)});
+  for (std::size_t i = 0; i < incoming_.effects.size(); ++i) {
+    const Effect& effect = incoming_.effects[i];
+    if (effect.type == EffectType::charger_no_start && stream.uniform() < effect.magnitude) {
+      said_.observed[i].amount += 1.0;
+      return false;
+    }
+  }
+  return true;
+}
+
 void RegionPlant::fail_points() {
   int left = world_.points;
   for (std::size_t i = 0; i < incoming_.effects.size(); ++i) {

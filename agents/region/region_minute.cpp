@@ -12,6 +12,9 @@
 namespace evbal {
 namespace {
 
+/// That a session which does not start keeps its point: to plug in, pay, wait and give up.
+constexpr int minutes_of_a_try = 5;
+
 bool less_charge(const Vehicle& a, const Vehicle& b) {
   return std::tie(a.battery_kwh, a.id) < std::tie(b.battery_kwh, b.id);
 }
@@ -45,6 +48,10 @@ void RegionPlant::end_sessions(int minute) {
   const auto goes_on = [&](const Session& session) { return session.ends > minute; };
   const auto ended = std::stable_partition(state_.sessions.begin(), state_.sessions.end(), goes_on);
   for (auto session = ended; session != state_.sessions.end(); ++session) {
+    if (!session->started) {
+      state_.queue.push_front(session->vehicle);
+      continue;
+    }
     const int charged = session->vehicle.battery_kwh >= reserve_kwh_ ? 1 : 0;
     said_.completions += charged;
     state_.completions += charged;
@@ -58,6 +65,11 @@ void RegionPlant::plug_in(int minute) {
   while (!state_.queue.empty() && size_of(state_.sessions) < left) {
     Vehicle vehicle = state_.queue.front();
     state_.queue.pop_front();
+    if (!starts(vehicle, minute)) {
+      state_.sessions.push_back(
+          {.vehicle = vehicle, .since = minute, .ends = minute + minutes_of_a_try, .started = false});
+      continue;
+    }
     const int minutes = draw_session(world_.charging, world_.seed, vehicle.id, vehicle.sessions);
     ++vehicle.sessions;
     state_.sessions.push_back({.vehicle = vehicle, .since = minute, .ends = minute + minutes});
@@ -180,6 +192,9 @@ void RegionPlant::charge() {
   const double per_minute = world_.charging.power_kw / 60.0;
   const double derated = per_minute * factor(EffectType::charger_derate, false);
   for (auto& session : state_.sessions) {
+    if (!session.started) {
+      continue;
+    }
     const double room = capacity - session.vehicle.battery_kwh;
     const double gain = std::min(derated, room);
     observe(EffectType::charger_derate, std::min(per_minute, room) - gain);

@@ -14,9 +14,10 @@ namespace evbal {
 
 /// A vehicle at a charging point.
 struct Session {
-  Vehicle vehicle;  ///< that is plugged in
-  int since = 0;    ///< minute at which it was plugged in
-  int ends = 0;     ///< minute at which it leaves if nothing happens
+  Vehicle vehicle;      ///< that is plugged in
+  int since = 0;        ///< minute at which it was plugged in
+  int ends = 0;         ///< minute at which it leaves if nothing happens
+  bool started = true;  ///< whether it charges
 };
 
 /// A vehicle that cannot be used until its fault ends.
@@ -73,6 +74,9 @@ inline constexpr double chargeable_below = 0.85;
 /// use). A blocked point works, but nobody can plug in; it counts in reports as one that does not work, if they are
 /// told.
 ///
+/// **Sessions that do not start** take their point for five minutes, in which the car charges nothing. Then it is at
+/// the queue's head and tries again. They are no sessions in any count but `plugged`.
+///
 /// **Demand faults.** With factor m at a passenger's minute, floor(m + u) passengers appear in the place of one, u
 /// uniform and keyed by the passenger: the same passengers with and without the fault as far as it lets them. Added
 /// ones are Poisson by the minute and go where one of the region's passengers, drawn evenly, goes on this day.
@@ -123,6 +127,7 @@ class RegionPlant {
   int points_blocked(bool visible_only) const;
   std::vector<Vehicle> vacant_as_told() const;
   std::vector<std::int32_t> short_reach() const;
+  bool starts(const Vehicle& vehicle, int minute);  ///< whether the session of one who plugs in does
   void fail_points();
   void break_down();
   void mend();

@@ -67,6 +67,11 @@ std::vector<FaultType> all_types() {
        .unit = count,
        .range = {1.0, most_iterations},
        .counted = "iterations"},
+      {.name = "charger.no_start",
+       .effect = charger_no_start,
+       .target = stations,
+       .range = {0.0, 1.0},
+       .magnitude = "probability"},
   };
 }
 

@@ -139,6 +139,8 @@ TEST(Schedule, RefusesFieldsThatAreNotOfTheType) {
   refused("charger.derate", "target: {regions: [0]}, magnitude: 0.5, duration: 1h", "has no charging points");
   refused("charger.derate", "target: {regions: [1]}, magnitude: 2, duration: 1h", "from 0 to 1");
   refused("charger.block", "target: {regions: [1]}, magnitude: {points: 1}, duration: 1h, on_start: evict", "on_start");
+  refused("charger.no_start", "target: {regions: [0]}, probability: 0.5, duration: 1h", "has no charging points");
+  refused("charger.no_start", "target: {regions: [1]}, probability: 1.5, duration: 1h", "from 0 to 1");
   refused("fleet.breakdown", "target: {regions: [1]}, magnitude: {cars: 2}, duration: 1h", "unknown key `cars`");
   refused("fleet.breakdown", "target: {regions: [1]}, magnitude: {vehicles: 1.5}, duration: 1h", "whole number");
   refused("travel.slow", "target: {regions: [1]}, magnitude: 0.5, duration: 1h", "from 1 to 10");

@@ -81,6 +81,59 @@ TEST(RegionFaults, NobodyPlugsInAtABlockedPoint) {
   EXPECT_EQ(life.next().plugged, 1);
 }
 
+TEST(RegionFaults, ASessionThatDoesNotStartIsTriedAgain) {
+  const World world = two_regions(1);
+  Life life{plant_of(world, 0, late_crossing, {car(0, 1.0), car(1, 1.0)})};
+  const Effect certain = effect(EffectType::charger_no_start, 1.0);
+  for (int tick = 0; tick < 3; ++tick) {
+    const Departures said = life.next({certain});
+    EXPECT_EQ(said.plugged, 1) << "it keeps its point";
+    EXPECT_EQ(said.low_battery, 1);
+    EXPECT_EQ(said.charged_kwh, 0.0);
+    EXPECT_EQ(said.completions, 0);
+    EXPECT_EQ(said.queue_minutes, 5) << "of the other car";
+    EXPECT_EQ(said.observed.at(0).amount, 1.0) << "a try takes five minutes";
+    EXPECT_EQ(life.plant.state().sessions.at(0).vehicle.id, 0) << "the same car again";
+    EXPECT_EQ(life.plant.state().sessions.at(0).vehicle.sessions, 0);
+  }
+  EXPECT_NEAR(life.next().charged_kwh, 5.0, 1e-9);
+  const Departures after = life.next();
+  EXPECT_NEAR(after.charged_kwh, 5.0, 1e-9);
+  EXPECT_EQ(life.next().completions, 1);
+}
+
+TEST(RegionFaults, AsManySessionsDoNotStartAsAreSaid) {
+  const World world = two_regions(500);
+  std::vector<Vehicle> low;
+  for (int id = 0; id < 500; ++id) {
+    low.push_back(car(id, 1.0));
+  }
+  const auto failed = [&](int seed) {
+    World other = world;
+    other.seed = static_cast<std::uint64_t>(seed);
+    Life life{plant_of(other, 0, late_crossing, low)};
+    const Departures said = life.next({effect(EffectType::charger_no_start, 0.3)});
+    EXPECT_EQ(said.plugged, 500);
+    EXPECT_NEAR(said.charged_kwh, 5.0 * (500.0 - said.observed.at(0).amount), 1e-6);
+    return said.observed.at(0).amount;
+  };
+  EXPECT_NEAR(failed(1), 150.0, 40.0);
+  EXPECT_EQ(failed(1), failed(1));
+  EXPECT_NE(failed(1), failed(2));
+}
+
+TEST(RegionFaults, APointThatFailsDuringATryLeavesItsCarAtTheHead) {
+  const World world = two_regions(1);
+  Life life{plant_of(world, 0, late_crossing, {car(0, 1.0), car(1, 1.0)})};
+  life.next({effect(EffectType::charger_no_start, 1.0)});
+  Effect outage = effect(EffectType::charger_outage, 1.0);
+  outage.on_start = OnStart::evict;
+  const Departures said = life.next({outage});
+  EXPECT_EQ(said.observed.at(0).evicted, 1);
+  EXPECT_EQ(said.low_battery, 2);
+  EXPECT_EQ(life.plant.state().queue.front().id, 0);
+}
+
 TEST(RegionFaults, BrokenVehiclesComeBackAsTheyWere) {
   const World world = two_regions(1);
   Life life{plant_of(world, 0, {}, {car(0, 9.0), car(1, 8.0), car(2, 7.0)})};

@@ -60,7 +60,9 @@ inline rc::Gen<std::vector<Faults>> faults_for(const World& world) {
     for (int fault = 0; fault < count; ++fault) {
       Effect effect;
       effect.fault = fault;
-      effect.type = static_cast<EffectType>(*rc::gen::inRange(0, static_cast<int>(EffectType::travel_slow) + 1));
+      const int type = *rc::gen::inRange(0, static_cast<int>(EffectType::travel_slow) + 2);
+      effect.type = type > static_cast<int>(EffectType::travel_slow) ? EffectType::charger_no_start
+                                                                     : static_cast<EffectType>(type);
       effect.region = *rc::gen::inRange(0, world.city.size());
       effect.to = effect.type == EffectType::demand_shift ? *rc::gen::inRange(0, world.city.size()) : no_region;
       const bool counts = effect.type == EffectType::charger_outage || effect.type == EffectType::charger_block ||

@@ -9,14 +9,15 @@
 namespace evbal {
 
 /// Every type of fault with fields that fit toy-5 and San Francisco, but for name, start and duration.
-inline const std::array<std::pair<const char*, const char*>, 23>& fault_fields() {
-  static const std::array<std::pair<const char*, const char*>, 23> fields{
+inline const std::array<std::pair<const char*, const char*>, 24>& fault_fields() {
+  static const std::array<std::pair<const char*, const char*>, 24> fields{
       {{"demand.scale", "target: {pick: 2}, magnitude: {uniform: {min: 0, max: 4}}, ramp: 5min"},
        {"demand.add", "target: {pick: 2}, magnitude: {uniform: {min: 0, max: 90}}"},
        {"demand.shift", "target: {pick: 3}, magnitude: {uniform: {min: 0, max: 1}}, to: 1"},
        {"charger.outage", "target: {pick: 2}, magnitude: {fraction_of_points: 0.7}, on_start: evict"},
        {"charger.derate", "target: {pick: 2}, magnitude: {uniform: {min: 0, max: 1}}"},
        {"charger.block", "target: {pick: 1}, magnitude: {fraction_of_points: 1.0}"},
+       {"charger.no_start", "target: {pick: 2}, probability: {uniform: {min: 0.2, max: 1}}"},
        {"fleet.breakdown", "target: {pick: 2}, magnitude: {vehicles: {uniform: {min: 1, max: 9}}}, visible: false"},
        {"fleet.drain", "target: {pick: 2}, magnitude: {uniform: {min: 1, max: 5}}, visible: false"},
        {"travel.slow", "target: {pick: 3}, magnitude: {uniform: {min: 1, max: 4}}, ramp: 5min"},
