@@ -26,7 +26,7 @@ std::string counted(double count, const std::string& thing) {
 
 /// Of all regions together where things are counted, else of the first region: they were drawn as one.
 std::string magnitude_words(const Fault& fault, const FaultType& type) {
-  constexpr int digits = 3;
+  constexpr int digits = 2;
   switch (type.unit) {
     case MagnitudeUnit::none:
       return "";
@@ -37,7 +37,7 @@ std::string magnitude_words(const Fault& fault, const FaultType& type) {
     case MagnitudeUnit::number:
       break;
   }
-  return " by " + fixed(fault.magnitudes.front(), digits);
+  return (type.magnitude == "probability" ? " with probability " : " by ") + fixed(fault.magnitudes.front(), digits);
 }
 
 std::string place_words(const Fault& fault, const FaultType& type) {
@@ -66,11 +66,13 @@ std::string described(const Fault& fault, const DayClock& clock) {
 }
 
 std::string described(const Schedule& schedule, const DayClock& clock) {
-  std::vector<std::string> faults;
-  for (const auto& fault : schedule.faults) {
-    faults.push_back(described(fault, clock));
+  std::vector<Fault> by_time = schedule.faults;
+  std::ranges::stable_sort(by_time, {}, &Fault::start);
+  std::vector<std::string> words;
+  for (const auto& fault : by_time) {
+    words.push_back(described(fault, clock));
   }
-  return faults.empty() ? "no fault" : in_words(faults);
+  return words.empty() ? "no fault" : in_words(words);
 }
 
 }  // namespace evbal

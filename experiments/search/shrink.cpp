@@ -11,22 +11,31 @@
 namespace evbal {
 namespace {
 
-/// A part of a fault that may be taken away.
+/// What may be taken away of a fault.
+enum class Part { all, region, end, start, magnitude };
+
+/// Something that is taken away.
 struct Cut {
-  enum class Part { region, end, start, magnitude };
-
-  std::size_t pick = 0;      ///< position of the fault
-  Part part = Part::region;  ///< what is taken away
-  int region = 0;            ///< which, of regions
+  std::size_t pick = 0;   ///< position of the fault
+  Part part = Part::all;  ///< of this fault
+  int region = 0;         ///< which, of Part::region
 };
 
-/// What is taken away at a time: whole regions, or such a share of minutes and magnitudes.
+/// What is taken away at a time.
 struct Level {
-  bool regions = false;
-  double share = 0.0;
+  enum class Of { faults, regions, extent };
+
+  Of of = Of::faults;
+  double share = 0.0;  ///< of minutes and magnitudes, of Of::extent
 };
 
-constexpr std::array<Level, 4> levels{{{true, 0.0}, {false, 0.5}, {false, 0.25}, {false, 0.125}}};
+constexpr Level whole_faults{Level::Of::faults};
+constexpr Level whole_regions{Level::Of::regions};
+
+/// Faults first: they get all of the harm that may be lost, so that few remain.
+constexpr std::array<Level, 4> coarse{
+    {whole_faults, whole_regions, {Level::Of::extent, 0.5}, {Level::Of::extent, 0.25}}};
+constexpr std::array<Level, 3> fine{{whole_faults, whole_regions, {Level::Of::extent, 0.125}}};
 
 /// Whole ticks, at least one; 0 if not even one would be left.
 int minutes_to_cut(const Fault& fault, double share, int tick) {
@@ -77,29 +86,39 @@ void cut_magnitude(Fault& fault, double share, const Request& request) {
 
 void cut_region(Fault& fault, int region) {
   const auto at = std::find(fault.regions.begin(), fault.regions.end(), region);
-  fault.magnitudes.erase(fault.magnitudes.begin() + (at - fault.regions.begin()));
-  fault.regions.erase(at);
+  if (at != fault.regions.end()) {
+    fault.magnitudes.erase(fault.magnitudes.begin() + (at - fault.regions.begin()));
+    fault.regions.erase(at);
+  }
 }
 
+/// Faults keep their places, also those without regions.
 Picks without(Picks picks, const std::vector<Cut>& cuts, double share, const Ingredients& ingredients) {
   const DayClock& clock = ingredients.context.clock;
   for (const Cut& cut : cuts) {
     Fault& fault = picks[cut.pick].fault;
     switch (cut.part) {
-      case Cut::Part::region:
+      case Part::all:
+        fault.regions.clear();
+        break;
+      case Part::region:
         cut_region(fault, cut.region);
         break;
-      case Cut::Part::end:
+      case Part::end:
         cut_end(fault, share, clock.tick);
         break;
-      case Cut::Part::start:
+      case Part::start:
         cut_start(fault, share, clock);
         break;
-      case Cut::Part::magnitude:
+      case Part::magnitude:
         cut_magnitude(fault, share, ingredients.entries[picks[cut.pick].entry]);
         break;
     }
   }
+  return picks;
+}
+
+Picks tidy(Picks picks, const Ingredients& ingredients) {
   std::erase_if(picks, [](const Pick& pick) { return pick.fault.regions.empty(); });
   return in_order(std::move(picks), ingredients);
 }
@@ -107,26 +126,29 @@ Picks without(Picks picks, const std::vector<Cut>& cuts, double share, const Ing
 std::vector<Cut> cuts_of(const Picks& picks, const Level& level) {
   std::vector<Cut> cuts;
   for (std::size_t i = 0; i < picks.size(); ++i) {
-    if (level.regions) {
-      for (const int region : picks[i].fault.regions) {
-        cuts.push_back({i, Cut::Part::region, region});
-      }
-    } else {
-      cuts.push_back({i, Cut::Part::end});
-      cuts.push_back({i, Cut::Part::start});
-      cuts.push_back({i, Cut::Part::magnitude});
+    switch (level.of) {
+      case Level::Of::faults:
+        cuts.push_back({i, Part::all});
+        break;
+      case Level::Of::regions:
+        for (const int region : picks[i].fault.regions) {
+          cuts.push_back({i, Part::region, region});
+        }
+        break;
+      case Level::Of::extent:
+        cuts.insert(cuts.end(), {{i, Part::end}, {i, Part::start}, {i, Part::magnitude}});
+        break;
     }
   }
   return cuts;
 }
 
 std::string words_of(const std::vector<Cut>& cuts, const Picks& picks) {
-  static const std::array<const char*, 4> parts = {"region ", "end", "start", "magnitude"};
+  static const std::array<const char*, 5> parts = {"gone", "less region ", "less end", "less start", "less magnitude"};
   std::string text;
   for (const Cut& cut : cuts) {
-    text += (text.empty() ? "" : "; ") + picks[cut.pick].fault.name + ": less " +
-            parts[static_cast<std::size_t>(cut.part)] +
-            (cut.part == Cut::Part::region ? std::to_string(cut.region) : "");
+    text += (text.empty() ? "" : "; ") + picks[cut.pick].fault.name + ": " + parts[static_cast<std::size_t>(cut.part)] +
+            (cut.part == Part::region ? std::to_string(cut.region) : "");
   }
   return text;
 }
@@ -138,57 +160,74 @@ class Shrinking {
             std::vector<Trial>& trials)
       : ingredients_(ingredients), now_(std::move(found)), enough_(enough), harms_(harms), trials_(trials) {}
 
-  /// Takes away what can go at one level; whether anything could.
+  /// Takes away what can go at one level, more than once if need be; whether anything could.
   bool take_away(const Level& level) {
-    std::vector<std::vector<Cut>> single;
-    for (const Cut& cut : cuts_of(now_.picks, level)) {
-      single.push_back({cut});
-    }
-    std::vector<std::pair<double, Cut>> harmless;
-    const std::vector<Trial> alone = tried(single, level.share);
-    for (std::size_t i = 0; i < alone.size(); ++i) {
-      if (alone[i].picks != now_.picks && enough_(alone[i].harm)) {
-        harmless.emplace_back(alone[i].harm, single[i].front());
+    const std::size_t before = now_.number;
+    Picks picks = now_.picks;
+    std::vector<Cut> cuts = cuts_of(picks, level);
+    while (true) {
+      cuts = harmless_of(cuts, picks, level.share);
+      if (cuts.empty()) {
+        return now_.number != before;
       }
+      const std::vector<std::vector<Cut>> groups = groups_of(cuts);
+      const std::vector<Trial> together = tried(groups, picks, level.share);
+      // The last group can go: it was tried alone.
+      std::size_t largest = 0;
+      while (!enough_(together[largest].harm)) {
+        ++largest;
+      }
+      picks = without(std::move(picks), groups[largest], level.share, ingredients_);
+      now_ = together[largest];
     }
-    if (harmless.empty()) {
-      return false;
-    }
-    std::stable_sort(harmless.begin(), harmless.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-    now_ = largest_of(groups_of(harmless), level.share);
-    return true;
   }
 
   const Trial& now() const { return now_; }
 
  private:
-  /// The first of all, half of them, a quarter, ... and the first alone.
-  static std::vector<std::vector<Cut>> groups_of(const std::vector<std::pair<double, Cut>>& cuts) {
+  /// Those that can go alone, the least needed first.
+  std::vector<Cut> harmless_of(const std::vector<Cut>& cuts, const Picks& picks, double share) {
+    std::vector<std::vector<Cut>> single;
+    for (const Cut& cut : cuts) {
+      single.push_back({cut});
+    }
+    std::vector<std::pair<double, Cut>> harmless;
+    const std::vector<Trial> alone = tried(single, picks, share);
+    for (std::size_t i = 0; i < alone.size(); ++i) {
+      if (alone[i].picks != now_.picks && enough_(alone[i].harm)) {
+        harmless.emplace_back(alone[i].harm, cuts[i]);
+      }
+    }
+    std::stable_sort(harmless.begin(), harmless.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::vector<Cut> sorted;
+    for (const auto& [harm, cut] : harmless) {
+      sorted.push_back(cut);
+    }
+    return sorted;
+  }
+
+  /// The first of all, seven eighths of them, ... and the first alone.
+  static std::vector<std::vector<Cut>> groups_of(const std::vector<Cut>& cuts) {
+    constexpr std::size_t steps = 8;
     std::vector<std::vector<Cut>> groups;
-    for (std::size_t size = cuts.size(); size > 0; size /= 2) {
-      groups.emplace_back();
-      for (std::size_t i = 0; i < size; ++i) {
-        groups.back().push_back(cuts[i].second);
+    for (std::size_t step = steps; step > 0; --step) {
+      const std::size_t size = std::max<std::size_t>(1, cuts.size() * step / steps);
+      if (groups.empty() || size < groups.back().size()) {
+        groups.emplace_back(cuts.begin(), cuts.begin() + static_cast<std::ptrdiff_t>(size));
       }
     }
     return groups;
   }
 
-  /// Without the largest group that can go; the last one can.
-  Trial largest_of(const std::vector<std::vector<Cut>>& groups, double share) {
-    const std::vector<Trial> together = tried(groups, share);
-    return *std::find_if(together.begin(), together.end(), [&](const Trial& trial) { return enough_(trial.harm); });
-  }
-
-  /// What is left without each of these; known schedules are not tried again.
-  std::vector<Trial> tried(const std::vector<std::vector<Cut>>& groups, double share) {
+  /// What is left of the faults without each of these; known schedules are not tried again.
+  std::vector<Trial> tried(const std::vector<std::vector<Cut>>& groups, const Picks& picks, double share) {
     std::vector<Trial> results;
     std::vector<Trial> unknown;
     for (const auto& cuts : groups) {
       results.push_back({.stage = "shrink",
                          .parent = now_.number,
-                         .change = words_of(cuts, now_.picks),
-                         .picks = without(now_.picks, cuts, share, ingredients_)});
+                         .change = words_of(cuts, picks),
+                         .picks = tidy(without(picks, cuts, share, ingredients_), ingredients_)});
       if (find(trials_, results.back().picks) == nullptr && find(unknown, results.back().picks) == nullptr) {
         unknown.push_back(results.back());
         unknown.back().number = trials_.size() + unknown.size();
@@ -224,12 +263,13 @@ class Shrinking {
 Trial shrink(const Ingredients& ingredients, const Trial& found, const std::function<bool(double)>& enough,
              const Harms& harms, std::vector<Trial>& trials) {
   Shrinking shrinking(ingredients, found, enough, harms, trials);
+  for (const Level& level : coarse) {
+    shrinking.take_away(level);
+  }
   for (bool smaller = true; smaller;) {
     smaller = false;
-    for (const Level& level : levels) {
-      while (shrinking.take_away(level)) {
-        smaller = true;
-      }
+    for (const Level& level : fine) {
+      smaller = shrinking.take_away(level) || smaller;
     }
   }
   return shrinking.now();

@@ -123,14 +123,44 @@ TEST(Shrink, TriesAgainWhatCouldNotGoBefore) {
   EXPECT_EQ(small.picks.front().fault.duration, 5);
 }
 
+TEST(Shrink, TakesFaultsAwayBeforeRegions) {
+  const Ingredients ingredients = testing::ingredients_of(
+      "  - {name: wide, type: charger.outage, target: {regions: [1, 3]}, start: \"10:00\", duration: 5min,\n"
+      "     magnitude: {points: 1}}\n"
+      "  - {name: small, type: process.pause, target: {agent: 1}, start: \"12:00\", duration: 5min}\n",
+      "");
+  // Region 1 is worth 5 of 100, the small fault 9: one of them may go.
+  const Harms harms_of = [](const std::vector<Trial>& trials) {
+    std::vector<double> harms;
+    for (const auto& trial : trials) {
+      double harm = 0.0;
+      for (const auto& pick : trial.picks) {
+        harm += pick.entry == 1                   ? 9.0
+                : pick.fault.regions.size() == 2  ? 91.0
+                : pick.fault.regions.front() == 3 ? 86.0
+                                                  : 5.0;
+      }
+      harms.push_back(harm);
+    }
+    return harms;
+  };
+  std::vector<Trial> trials = {{.number = 1, .picks = random_draws(ingredients, 1).front(), .harm = 100.0}};
+  const Trial small = shrink(
+      ingredients, trials.front(), [](double harm) { return harm >= 90.0; }, harms_of, trials);
+  EXPECT_EQ(small.harm, 91.0);
+  ASSERT_EQ(small.picks.size(), 1U);
+  EXPECT_EQ(small.picks.front().fault.regions, (std::vector<int>{1, 3}));
+}
+
 TEST(Described, SaysWhatWhereAndWhen) {
   const Schedule schedule = testing::read_text(testing::schedule_of(
       {testing::outage, testing::spike,
        "{name: slow, type: process.slow, target: {coordinator: true}, start: \"09:00\", duration: 1min, magnitude: "
        "2min"}));
-  EXPECT_EQ(described(schedule, testing::small_context().clock),
-            "charger.outage of 2 points in region 1 from 07:30 for 120 minutes, demand.scale by 1.800 in regions 0 and "
-            "2 from 17:30 for 90 minutes and process.slow of 2 minutes of the coordinator from 09:00 for 1 minute");
+  EXPECT_EQ(
+      described(schedule, testing::small_context().clock),
+      "charger.outage of 2 points in region 1 from 07:30 for 120 minutes, process.slow of 2 minutes of the "
+      "coordinator from 09:00 for 1 minute and demand.scale by 1.80 in regions 0 and 2 from 17:30 for 90 minutes");
   EXPECT_EQ(described(Schedule{}, testing::small_context().clock), "no fault");
 }
 

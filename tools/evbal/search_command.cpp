@@ -108,7 +108,7 @@ std::string faults_of(const Trial& trial) {
 
 std::string times_drawn(const Trial& trial, const Found& found) {
   constexpr int digits = 2;
-  return found.drawn > 0.0 ? fixed(trial.harm / found.drawn, digits) + " times as much as" : "against no harm in";
+  return found.drawn > 0.0 ? fixed(trial.harm / found.drawn, digits) + " times as much as" : "against no harm";
 }
 
 /// What came out, in words.
@@ -120,15 +120,16 @@ std::string text_of(const SearchTask& task, const Found& found, const SearchedDa
   std::string text = task.scenario.planning.controller + ", " + task.metric +
                      "\nwithout faults: " + number_words(found.without) + "\n" + line(draws, found.drawn) + "\n" +
                      line("the worst of " + std::to_string(found.tried) + " tried", found.worst.harm) + ", " +
-                     times_drawn(found.worst, found) + " " + draws + ", " + faults_of(found.worst) + "\n";
+                     times_drawn(found.worst, found) + " under " + draws + ", " + faults_of(found.worst) + "\n";
   if (found.worst.harm <= 0.0) {
     return text + "No schedule was found that does any harm.\n";
   }
   return text + line("what remains of it", found.small.harm) + ", " +
-         fixed(100.0 * found.small.harm / found.worst.harm, 0) + " %, " + faults_of(found.small) + "\n\n" +
-         described(days.with(found.small.picks).schedule, task.scenario.world.clock) + ": costs " +
-         number_words(found.small.harm) + " of `" + task.metric + "`, " + times_drawn(found.small, found) + " " +
-         draws + ".\n";
+         fixed(100.0 * found.small.harm / found.worst.harm, 0) + " %, " + faults_of(found.small) + ", after " +
+         std::to_string(found.trials.size() - found.tried) + " more tried\n\n`" + task.metric + "` " +
+         (task.more_is_worse ? "rises" : "falls") + " by " + number_words(found.small.harm) + ", " +
+         times_drawn(found.small, found) + " under " + draws + ", with " +
+         described(days.with(found.small.picks).schedule, task.scenario.world.clock) + " alone.\n";
 }
 
 /// A scenario that runs alone, held to all that it expects.
