@@ -1,5 +1,6 @@
 #include "experiments/study/store/sweep_file.hpp"
 
+#include "common/error.hpp"
 #include "experiments/study/store/finished_steps.hpp"
 #include "experiments/study/store/sweep_origin.hpp"
 #include "tests/folder.hpp"
@@ -7,6 +8,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <functional>
 
 namespace evbal {
@@ -44,6 +46,20 @@ class SweepFileOf3 : public ::testing::Test {
   Folder folder_;
   std::filesystem::path file_ = folder_.path() / "sweep.sqlite";
 };
+
+TEST_F(SweepFileOf3, ThatWasKilledBeforeItWroteAnythingGoesOn) {
+  std::ofstream(file_).close();
+  EXPECT_TRUE(played_by_others(file_, {"k1"}).empty());
+  try {
+    read_finished(file_);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("run the sweep to its end first"), std::string::npos) << error.what();
+  }
+  EXPECT_TRUE(begin_sweep(file_, small_sweep(), {"k1", "k2", "k3"}).empty());
+  add("k1", 10);
+  EXPECT_EQ(begin_sweep(file_, small_sweep(), {"k1", "k2", "k3"}), std::set<std::string>{"k1"});
+}
 
 TEST_F(SweepFileOf3, SaysTheSameInWhateverOrderDaysEnd) {
   EXPECT_TRUE(begin_sweep(file_, small_sweep(), {"k1", "k2", "k3"}).empty());

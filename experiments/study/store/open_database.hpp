@@ -14,4 +14,9 @@ inline SQLite::Database open_database(const std::filesystem::path& file, int mor
   return SQLite::Database(file.string(), SQLite::OPEN_READWRITE | more, longest_wait_ms);
 }
 
+/// Whether nothing stands in it, as in one whose maker was killed before it had written.
+inline bool is_blank(const SQLite::Database& database) {
+  return !SQLite::Statement(database, "SELECT 1 FROM sqlite_master").executeStep();
+}
+
 }  // namespace evbal

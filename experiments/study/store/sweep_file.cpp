@@ -185,6 +185,9 @@ std::vector<PlayedByAnother> played_by_others(const fs::path& file, const std::v
   }
   try {
     const SQLite::Database database = open_database(file);
+    if (is_blank(database)) {
+      return {};
+    }
     SQLite::Statement row(database, "SELECT program, key FROM results WHERE program <> ? ORDER BY program");
     row.bind(1, this_program());
     const std::set<std::string> asked_for(keys.begin(), keys.end());
@@ -215,6 +218,9 @@ std::vector<FinishedDay> read_finished(const fs::path& file) try {
     throw bad_input(file.string() + ": is not there; give a directory that `evbal sweep` wrote");
   }
   const SQLite::Database database = open_database(file);
+  if (is_blank(database)) {
+    throw bad_input(file.string() + ": holds no day yet; run the sweep to its end first");
+  }
   SQLite::Statement rows(database, "SELECT * FROM days LEFT JOIN results USING (key) LEFT JOIN " + after_7_query() +
                                        " USING (key) ORDER BY run");
   std::vector<FinishedDay> days;
