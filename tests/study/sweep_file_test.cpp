@@ -43,6 +43,11 @@ class SweepFileOf3 : public ::testing::Test {
  protected:
   void add(const std::string& key, int lost) const { add_result(file_, key, {}, small_result(lost)); }
 
+  void note_origin_first() const {
+    begin_results(file_);
+    note_origin(file_, {.command = "c", .file = "a.yaml", .text = "t", .scenario = "s"});
+  }
+
   Folder folder_;
   std::filesystem::path file_ = folder_.path() / "sweep.sqlite";
 };
@@ -93,6 +98,39 @@ TEST_F(SweepFileOf3, GivesFinishedDaysBack) {
   EXPECT_EQ(days[2].totals.at("idle_km_after_7"), 0.5);
   EXPECT_EQ(days[2].seed, 18446744073709551615ULL);
   EXPECT_EQ(days[2].settings.at("x"), "[1, 2]");
+}
+
+TEST_F(SweepFileOf3, GivesWhatIsPlayedBackBeforeItsEnd) {
+  note_origin_first();
+  begin_sweep(file_, small_sweep(), {"k1", "k2", "k3"});
+  EXPECT_EQ(read_origin(file_).text, "t") << "who looks in between wants to know too";
+  add("k2", 20);
+  const PlayedDays played = read_played(file_);
+  ASSERT_EQ(played.days.size(), 1U);
+  EXPECT_EQ(played.days[0].totals.at("lost"), 20.0);
+  ASSERT_EQ(played.missing.size(), 2U);
+  EXPECT_EQ(played.missing[1].variant, "b");
+  EXPECT_TRUE(played.missing[1].totals.empty());
+  EXPECT_EQ(played.first_missing, "1");
+}
+
+TEST_F(SweepFileOf3, KeepsHowLongDaysTook) {
+  EXPECT_TRUE(seconds_of_results(file_).empty());
+  begin_sweep(file_, small_sweep(), {"k1", "k2", "k3"});
+  add("k1", 10);
+  note_seconds(file_, "k1", 1.5);
+  add("k3", 30);
+  const auto other = folder_.path() / "other.sqlite";
+  begin_results(other);
+  add_result(other, "k2", {}, small_result(20));
+  note_seconds(other, "k2", 2.5);
+  merge_result(file_, other);
+  merge_result(file_, other);
+  const auto seconds = seconds_of_results(file_);
+  ASSERT_EQ(seconds.size(), 3U);
+  EXPECT_EQ(seconds.at("k1"), 1.5);
+  EXPECT_EQ(seconds.at("k2"), 2.5);
+  EXPECT_EQ(seconds.at("k3"), std::nullopt);
 }
 
 TEST_F(SweepFileOf3, GivesStepsBack) {

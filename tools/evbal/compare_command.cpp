@@ -9,6 +9,7 @@
 #include "experiments/study/store/sweep_folder.hpp"
 #include "experiments/study/store/sweep_origin.hpp"
 #include "tools/evbal/bounded_days.hpp"
+#include "tools/evbal/compared_csv.hpp"
 #include "tools/evbal/console_table.hpp"
 #include "tools/evbal/json_output.hpp"
 
@@ -68,30 +69,62 @@ std::vector<FinishedDay> with_bounds(std::vector<FinishedDay> days, const Questi
 
 struct CompareArguments {
   std::filesystem::path folder;
+  std::vector<std::string> against;
   Question question;
   bool fronts = false;
   bool room = false;
   bool json = false;
+  bool csv = false;
+
+  Question against_one(const std::string& reference) const {
+    Question asked = question;
+    asked.reference = reference;
+    if (room || reference == bound_variant) {
+      asked.bound = bound_variant;
+    }
+    if (fronts && !asked.at) {
+      asked.at = "idle_km";
+    }
+    return asked;
+  }
 };
 
-std::string answer_to(CompareArguments arguments) {
-  Question& question = arguments.question;
-  if (arguments.room || question.reference == bound_variant) {
-    question.bound = bound_variant;
+/// What is played of a sweep; says on stderr if that is not all.
+PlayedDays played_days(const std::filesystem::path& sweep_file) {
+  PlayedDays played = read_played(sweep_file);
+  if (played.days.empty()) {
+    throw bad_input(sweep_file.string() + ": none of its days is played yet");
   }
-  if (arguments.fronts && !question.at) {
-    question.at = "idle_km";
+  if (!played.missing.empty()) {
+    std::fprintf(stderr, "evbal: %zu of %zu days are played; the others are left out\n", played.days.size(),
+                 played.days.size() + played.missing.size());
   }
+  return played;
+}
+
+std::string answer_to(const CompareArguments& arguments) {
   const std::filesystem::path file = arguments.folder / sweep_file_name;
-  const std::vector<FinishedDay> days = read_finished(file);
-  std::vector<Compared> rows = compare(with_bounds(days, question, file), question);
-  if (arguments.fronts) {
-    std::erase_if(rows, [](const Compared& row) { return !row.whole; });
+  const PlayedDays played = played_days(file);
+  std::vector<AnsweredQuestion> answers;
+  for (const auto& reference : arguments.against) {
+    const Question question = arguments.against_one(reference);
+    answers.push_back({question, compare(with_bounds(played.days, question, file), question)});
+    if (arguments.fronts) {
+      std::erase_if(answers.back().rows, [](const Compared& row) { return !row.whole; });
+    }
   }
-  const Page page = page_of(read_origin(file).text, days);
-  const auto primaries = primary_answers(page, with_objective(page, days));
-  return arguments.json ? compared_json(rows, question, primaries)
-                        : table_of(rows, question) + primaries_text(rows, question, primaries);
+  std::vector<FinishedDay> asked_for = played.days;
+  asked_for.insert(asked_for.end(), played.missing.begin(), played.missing.end());
+  const Page page = page_of(read_origin(file).text, asked_for);
+  const auto primaries = primary_answers(page, with_objective(page, played.days));
+  if (arguments.json || arguments.csv) {
+    return arguments.json ? compared_json(answers, primaries) : compared_csv(answers, primaries);
+  }
+  std::string text;
+  for (const auto& [question, rows] : answers) {
+    text += (text.empty() ? "" : "\n") + table_of(rows, question) + primaries_text(rows, question, primaries);
+  }
+  return text;
 }
 
 }  // namespace
@@ -99,11 +132,11 @@ std::string answer_to(CompareArguments arguments) {
 void add_compare_command(CLI::App& app) {
   const auto arguments = std::make_shared<CompareArguments>();
   Question& question = arguments->question;
-  CLI::App* command = app.add_subcommand("compare", "Compare the variants of a finished sweep, paired by day and seed");
+  CLI::App* command = app.add_subcommand("compare", "Compare the variants of a sweep, day by day");
   command->add_option("DIR", arguments->folder, "Directory that `evbal sweep` wrote")->required();
   command
-      ->add_option("--against", question.reference,
-                   "Variant to compare the others with; `bound`: that of `evbal bound`, with `--at idle_km`")
+      ->add_option("--against", arguments->against,
+                   "Variants to compare the others with; `bound`: that of `evbal bound`, with `--at idle_km`")
       ->required();
   command->add_option("--metric", question.metric, "What is compared; `lost` unless given");
   command->add_option("--at", question.at, "At equal `idle_km` or `lost`, along the fronts; also `_after_7`");
@@ -111,7 +144,8 @@ void add_compare_command(CLI::App& app) {
                     "Whole fronts only, over the idle km (or `--at`) that both variants cover");
   command->add_flag("--room", arguments->room,
                     "Also the share of the way from --against to the bound of `evbal bound`");
-  command->add_flag("--json", arguments->json, "Print the rows as JSON");
+  CLI::Option* json = command->add_flag("--json", arguments->json, "Print the rows as JSON");
+  command->add_flag("--csv", arguments->csv, "Print the rows as CSV")->excludes(json);
   command->callback([arguments] { std::fputs(answer_to(*arguments).c_str(), stdout); });
 }
 

@@ -54,6 +54,41 @@ Json yaml_json(const YamlValue& value) {
   return json;
 }
 
+Json or_null(const std::optional<double>& value) {
+  return value ? Json(*value) : Json();
+}
+
+Json compared_row_json(const Compared& row, const Question& question, const std::vector<PrimaryAnswer>& primaries) {
+  Json json = {{"scenario", row.scenario},
+               {"faults", row.faults},
+               {"variant", row.variant},
+               {"settings", row.settings},
+               {"metric", question.metric},
+               {"reference_variant", question.reference},
+               {"at", question.at ? Json(*question.at) : Json()},
+               {"whole", row.whole},
+               {"days", row.days},
+               {"apart", row.apart},
+               {"points", row.points},
+               {"inside", row.inside}};
+  if (row.days > 0) {
+    const auto primary = std::find_if(primaries.begin(), primaries.end(),
+                                      [&](const PrimaryAnswer& answer) { return answer.is(question, row); });
+    json.update({{"from", row.from},
+                 {"to", row.to},
+                 {"covered", row.covered},
+                 {"value", row.value},
+                 {"reference", row.reference},
+                 {"of_totals", or_null(of_totals(row))},
+                 {"relative", row.relative},
+                 {"difference", interval_json(row.difference)},
+                 {"p", row.p},
+                 {"p_holm", primary == primaries.end() ? Json() : Json(primary->p_holm)},
+                 {"way", or_null(row.way)}});
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string runs_json(const std::vector<RunResult>& runs, const std::filesystem::path& report) {
@@ -88,30 +123,12 @@ std::string draws_json(const DrawsResult& draws, const std::filesystem::path& fo
   return document(json);
 }
 
-std::string compared_json(const std::vector<Compared>& rows, const Question& question,
-                          const std::vector<PrimaryAnswer>& primaries) {
+std::string compared_json(const std::vector<AnsweredQuestion>& answers, const std::vector<PrimaryAnswer>& primaries) {
   Json json = Json::array();
-  for (const auto& row : rows) {
-    Json one = {{"scenario", row.scenario}, {"faults", row.faults}, {"variant", row.variant},
-                {"settings", row.settings}, {"whole", row.whole},   {"days", row.days},
-                {"apart", row.apart},       {"points", row.points}, {"inside", row.inside}};
-    if (row.days > 0) {
-      const auto totals = of_totals(row);
-      const auto primary = std::find_if(primaries.begin(), primaries.end(),
-                                        [&](const PrimaryAnswer& answer) { return answer.is(question, row); });
-      one.update({{"from", row.from},
-                  {"to", row.to},
-                  {"covered", row.covered},
-                  {"value", row.value},
-                  {"reference", row.reference},
-                  {"of_totals", totals ? Json(*totals) : Json()},
-                  {"relative", row.relative},
-                  {"difference", interval_json(row.difference)},
-                  {"p", row.p},
-                  {"p_holm", primary == primaries.end() ? Json() : Json(primary->p_holm)},
-                  {"way", row.way ? Json(*row.way) : Json()}});
+  for (const auto& [question, rows] : answers) {
+    for (const Compared& row : rows) {
+      json.push_back(compared_row_json(row, question, primaries));
     }
-    json.push_back(std::move(one));
   }
   return document(json);
 }

@@ -24,10 +24,10 @@ std::string runs_json(const std::vector<RunResult>& runs, const std::filesystem:
 /// {"folder": folder, "controllers": [{controller, draws, metrics, worst}]}
 std::string draws_json(const DrawsResult& draws, const std::filesystem::path& folder);
 
-/// [{scenario, faults, variant, settings, whole, days, apart, points, inside, from, to, covered, value, reference,
-/// of_totals, relative, difference, p, p_holm, way}]; `p_holm` of the page's primary endpoints only.
-std::string compared_json(const std::vector<Compared>& rows, const Question& question,
-                          const std::vector<PrimaryAnswer>& primaries);
+/// [{scenario, faults, variant, settings, metric, reference_variant, at, whole, days, apart, points, inside, from, to,
+/// covered, value, reference, of_totals, relative, difference, p, p_holm, way}]; `p_holm` of the page's primary
+/// endpoints only.
+std::string compared_json(const std::vector<AnsweredQuestion>& answers, const std::vector<PrimaryAnswer>& primaries);
 
 /// [{what, cases, largest, allowed, holds, where}]
 std::string comparisons_json(const std::vector<Comparison>& comparisons);

@@ -4,9 +4,11 @@
 #include "common/interrupt.hpp"
 #include "experiments/study/design/study_file.hpp"
 #include "experiments/study/executors/day_keys.hpp"
+#include "experiments/study/executors/play_days.hpp"
 #include "experiments/study/statistics/page_markdown.hpp"
 #include "experiments/study/store/sweep_file.hpp"
 #include "experiments/study/store/sweep_origin.hpp"
+#include "tools/evbal/sweep_plan.hpp"
 #include "tools/evbal/tune_command.hpp"
 
 #include <CLI/CLI.hpp>
@@ -31,6 +33,30 @@ fs::path tuned_first(const SweepArguments& arguments) {
   return tuning.empty() ? fs::path() : tune({tuning, folder_of(arguments), arguments.quick, arguments.options});
 }
 
+std::string command_of(const SweepArguments& arguments) {
+  return "evbal sweep " + arguments.sweep.string() + (arguments.quick ? " --quick" : "");
+}
+
+SweepOrigin origin_of(const SweepArguments& arguments, const fs::path& file, const SweptDay& first) {
+  return {.command = command_of(arguments),
+          .file = arguments.sweep.string(),
+          .text = text_of_file(file),
+          .scenario = resolved_yaml(scenario_of(first), first.controller)};
+}
+
+/// What is played and what is left; nothing is played.
+std::string plan_of(const SweepArguments& arguments) {
+  const fs::path file = find_study(arguments.sweep);
+  const fs::path folder = folder_of(arguments);
+  const bool is_tuned = fs::exists(folder / tuned_file_name);
+  if (!tuning_of(file).empty() && !is_tuned) {
+    return arguments.sweep.string() + ": tunes its variants first; its days are known after that\n";
+  }
+  const Sweep sweep = read_sweep(file, {arguments.quick, is_tuned ? folder / tuned_file_name : fs::path()});
+  const int jobs = arguments.options.playing.jobs;
+  return sweep_plan(sweep, keys_of(sweep), seconds_of_results(folder / sweep_file_name), jobs > 0 ? jobs : cores());
+}
+
 }  // namespace
 
 fs::path sweep(const SweepArguments& arguments) {
@@ -42,29 +68,31 @@ fs::path sweep(const SweepArguments& arguments) {
   for (const char* csv : {"days.csv", "steps.csv", "page.md"}) {
     fs::remove(folder.path() / csv);
   }
+  begin_results(folder.file());
+  note_origin(folder.file(), origin_of(arguments, file, sweep.days.front()));
   play_shown(sweep, keys, folder, arguments.options);
-  const SweptDay& first = sweep.days.front();
-  const std::string command = "evbal sweep " + arguments.sweep.string() + (arguments.quick ? " --quick" : "");
-  note_origin(folder.file(), {.command = command,
-                              .file = arguments.sweep.string(),
-                              .text = text_of_file(file),
-                              .scenario = resolved_yaml(scenario_of(first), first.controller)});
   write_file(folder.path() / "steps.csv", swept_steps_csv(folder.file()));
   write_file(folder.path() / "days.csv", swept_days_csv(folder.file()));
   if (sweep.page) {
-    write_file(folder.path() / "page.md", page_markdown(*sweep.page, read_finished(folder.file()), command));
+    write_file(folder.path() / "page.md",
+               page_markdown(*sweep.page, read_finished(folder.file()), command_of(arguments)));
   }
   return folder.path() / "days.csv";
 }
 
 void add_sweep_command(CLI::App& app) {
   const auto arguments = std::make_shared<SweepArguments>();
+  const auto dry_run = std::make_shared<bool>(false);
   CLI::App* command = app.add_subcommand("sweep", "Play the days of a sweep that are not played yet");
   command->add_option("SWEEP", arguments->sweep, "Sweep file (YAML), or the name of a shipped one")->required();
   command->add_option("--out", arguments->out, "Directory, new or of this sweep; otherwise one under runs/");
   command->add_flag("--quick", arguments->quick, "Two days and one seed only, to see every part");
+  command->add_flag("--dry-run", *dry_run,
+                    "Say what is played and what is left, and how long that will take; play nothing");
   add_playing_options(*command, arguments->options);
-  command->callback([arguments] { std::printf("%s\n", sweep(*arguments).c_str()); });
+  command->callback([arguments, dry_run] {
+    std::fputs(*dry_run ? plan_of(*arguments).c_str() : (sweep(*arguments).string() + "\n").c_str(), stdout);
+  });
 }
 
 }  // namespace evbal

@@ -43,8 +43,8 @@ fs::path tune(const TuneArguments& arguments) {
     keys = keys_of(round);
   }
   write_file(folder.path() / "candidates.csv", candidates_csv(tuning, contests));
-  write_file(folder.path() / "tuned.yaml", tuned_yaml(winners(tuning, contests)));
-  return folder.path() / "tuned.yaml";
+  write_file(folder.path() / tuned_file_name, tuned_yaml(winners(tuning, contests)));
+  return folder.path() / tuned_file_name;
 }
 
 void add_tune_command(CLI::App& app) {

@@ -2,7 +2,7 @@
 
 #include "common/error.hpp"
 #include "common/workers.hpp"
-#include "experiments/run/record_day.hpp"
+#include "experiments/study/executors/play_into.hpp"
 #include "experiments/study/executors/slurm.hpp"
 #include "experiments/study/store/sweep_file.hpp"
 
@@ -23,7 +23,7 @@ void play_sweep(const Sweep& sweep, const std::vector<std::string>& keys, const 
   }
   const auto play = [&](std::size_t i) {
     const Scenario scenario = scenario_of(sweep.days[i]);
-    add_result(file, keys[i], scenario.world.clock, play_day(scenario));
+    play_into(file, keys[i], scenario);
   };
   const auto task = [&](std::size_t i) {
     return SlurmTask{keys[i], resolved_yaml(scenario_of(sweep.days[i]), sweep.days[i].controller)};

@@ -4,7 +4,7 @@
 #include "common/files.hpp"
 #include "common/installation.hpp"
 #include "common/interrupt.hpp"
-#include "experiments/run/record_day.hpp"
+#include "experiments/study/executors/play_into.hpp"
 #include "experiments/study/executors/slurm_commands.hpp"
 #include "experiments/study/store/sweep_file.hpp"
 
@@ -239,7 +239,7 @@ void play_slurm_task(const fs::path& scenario_file) {
   unfinished.replace_extension(".unfinished");
   fs::remove(unfinished);
   begin_results(unfinished);
-  add_result(unfinished, key, scenario.world.clock, play_day(scenario));
+  play_into(unfinished, key, scenario);
   fs::rename(unfinished, fs::path(scenario_file).replace_extension(".sqlite"));
 }
 

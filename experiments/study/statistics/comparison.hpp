@@ -44,6 +44,12 @@ struct Compared {
   std::optional<double> way{};  ///< share of the way from the reference to the bound, of days and seeds with one
 };
 
+/// A question and the rows that answer it.
+struct AnsweredQuestion {
+  Question question;           ///< that was asked
+  std::vector<Compared> rows;  ///< the answer
+};
+
 /// value / reference - 1, of the totals; nothing if the row is not relative or there is nothing to divide by.
 std::optional<double> of_totals(const Compared& row);
 

@@ -29,7 +29,8 @@ std::vector<FinishedDay> with_objective(const Page& page, std::vector<FinishedDa
 /// What came of each, in the order of the page. `days` have the page's objective.
 std::vector<PrimaryAnswer> primary_answers(const Page& page, const std::vector<FinishedDay>& days);
 
-/// The page of a sweep whose file is `text`, as it is read for its finished days; one without sections if it has none.
+/// The page of a sweep whose file is `text` and whose days are `days`, played or not; one without sections if it has
+/// none.
 Page page_of(const std::string& text, const std::vector<FinishedDay>& days);
 
 }  // namespace evbal

@@ -11,6 +11,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace evbal {
 namespace {
@@ -118,8 +119,13 @@ std::string csv(const fs::path& file, const std::string& query) {
   return text;
 }
 
+Row timing_row(const std::string& key, double seconds) {
+  return {{"key", key}, {"seconds", seconds}};
+}
+
 void make_tables(SQLite::Database& database) {
   const Table results(database, "results", result_row("", {}));
+  const Table timings(database, "timings", timing_row("", 0.0));
   const Table steps(database, "steps", step_row("", {}, {}));
   database.exec("CREATE UNIQUE INDEX IF NOT EXISTS by_key ON results (key)");
   database.exec("CREATE INDEX IF NOT EXISTS steps_by_key ON steps (key)");
@@ -133,7 +139,6 @@ std::set<std::string> begin_sweep(const fs::path& file, const Sweep& sweep, cons
     SQLite::Transaction transaction(database);
     make_tables(database);
     database.exec("DROP TABLE IF EXISTS days");
-    database.exec("DROP TABLE IF EXISTS origin");
     Table days(database, "days", day_row(0, sweep, sweep.days.front(), ""));
     for (std::size_t i = 0; i < keys.size(); ++i) {
       days.add(day_row(i + 1, sweep, sweep.days[i], keys[i]));
@@ -161,11 +166,40 @@ void add_result(const fs::path& file, const std::string& key, const DayClock& cl
   transaction.commit();
 }
 
+void note_seconds(const fs::path& file, const std::string& key, double seconds) {
+  SQLite::Database database = open_database(file);
+  Table(database, "timings", timing_row("", 0.0)).add(timing_row(key, seconds));
+}
+
+std::map<std::string, std::optional<double>> seconds_of_results(const fs::path& file) {
+  std::map<std::string, std::optional<double>> seconds;
+  if (!fs::exists(file)) {
+    return seconds;
+  }
+  try {
+    const SQLite::Database database = open_database(file);
+    const bool timed = database.tableExists("timings");
+    SQLite::Statement row(database, timed ? "SELECT key, seconds FROM results LEFT JOIN timings USING (key)"
+                                          : "SELECT key, NULL FROM results");
+    while (row.executeStep()) {
+      const SQLite::Column took = row.getColumn(1);
+      seconds[row.getColumn(0).getString()] = took.isNull() ? std::nullopt : std::optional(took.getDouble());
+    }
+    return seconds;
+  } catch (const SQLite::Exception& error) {
+    throw no_sweep(file, error);
+  }
+}
+
 void begin_results(const fs::path& file) {
-  SQLite::Database database = open_database(file, SQLite::OPEN_CREATE);
-  SQLite::Transaction transaction(database);
-  make_tables(database);
-  transaction.commit();
+  try {
+    SQLite::Database database = open_database(file, SQLite::OPEN_CREATE);
+    SQLite::Transaction transaction(database);
+    make_tables(database);
+    transaction.commit();
+  } catch (const SQLite::Exception& error) {
+    throw no_sweep(file, error);
+  }
 }
 
 void merge_result(const fs::path& file, const fs::path& other) {
@@ -175,6 +209,7 @@ void merge_result(const fs::path& file, const fs::path& other) {
   attach.exec();
   SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
   database.exec("INSERT INTO steps SELECT * FROM other.steps WHERE key NOT IN (SELECT key FROM results)");
+  database.exec("INSERT INTO timings SELECT * FROM other.timings WHERE key NOT IN (SELECT key FROM results)");
   database.exec("INSERT OR IGNORE INTO results SELECT * FROM other.results");
   transaction.commit();
 }
@@ -213,7 +248,7 @@ std::string swept_steps_csv(const fs::path& file) {
   return csv(file, "SELECT run, steps.* FROM days JOIN steps USING (key) ORDER BY run, step");
 }
 
-std::vector<FinishedDay> read_finished(const fs::path& file) try {
+PlayedDays read_played(const fs::path& file) try {
   if (!fs::exists(file)) {
     throw bad_input(file.string() + ": is not there; give a directory that `evbal sweep` wrote");
   }
@@ -223,17 +258,29 @@ std::vector<FinishedDay> read_finished(const fs::path& file) try {
   }
   SQLite::Statement rows(database, "SELECT * FROM days LEFT JOIN results USING (key) LEFT JOIN " + after_7_query() +
                                        " USING (key) ORDER BY run");
-  std::vector<FinishedDay> days;
+  PlayedDays played;
   while (rows.executeStep()) {
-    if (rows.getColumn("digest").isNull()) {
-      throw bad_input(file.string() + ": run " + rows.getColumn("run").getString() +
-                      " is missing; run the sweep to its end first");
+    if (!rows.getColumn("digest").isNull()) {
+      played.days.push_back(finished_day(rows));
+      continue;
     }
-    days.push_back(finished_day(rows));
+    if (played.missing.empty()) {
+      played.first_missing = rows.getColumn("run").getString();
+    }
+    played.missing.push_back(finished_day(rows));
+    played.missing.back().totals.clear();
   }
-  return days;
+  return played;
 } catch (const SQLite::Exception& error) {
   throw no_sweep(file, error);
+}
+
+std::vector<FinishedDay> read_finished(const fs::path& file) {
+  PlayedDays played = read_played(file);
+  if (!played.missing.empty()) {
+    throw bad_input(file.string() + ": run " + played.first_missing + " is missing; run the sweep to its end first");
+  }
+  return std::move(played.days);
 }
 
 }  // namespace evbal

@@ -6,6 +6,8 @@
 #include "experiments/study/design/sweep.hpp"
 
 #include <filesystem>
+#include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -17,7 +19,8 @@
 ///               path, key
 ///     results   a row a finished day: key, the totals by the names of metrics/columns.hpp, fallbacks, program, digest
 ///     steps     a row a step of a finished day: key, start, the columns of steps.csv
-///     origin    what a finished sweep was made from (sweep_origin.hpp)
+///     timings   a row a finished day: key, seconds that it took; of no result
+///     origin    what the sweep is made from (sweep_origin.hpp)
 ///
 /// `run` counts from 1. `key` is a fingerprint of all that a day's result comes from (executors/day_keys.hpp): a result
 /// serves whoever asks for the same day. `program` says who played it (common/version.hpp). Each function opens the
@@ -25,7 +28,7 @@
 namespace evbal {
 
 /// Makes the file if it is missing and writes down the days that are asked for, with a key for each, in place of those
-/// that were asked for before, and of their origin. Gives the keys that have their results already. Throws
+/// that were asked for before. Gives the keys that have their results already. Throws
 /// Error{bad_input} if the file is something else or of another version.
 std::set<std::string> begin_sweep(const std::filesystem::path& file, const Sweep& sweep,
                                   const std::vector<std::string>& keys);
@@ -34,8 +37,15 @@ std::set<std::string> begin_sweep(const std::filesystem::path& file, const Sweep
 void add_result(const std::filesystem::path& file, const std::string& key, const DayClock& clock,
                 const DayResult& result);
 
-/// Makes the file, if it is missing, with tables for results; no days are asked for. Throws SQLite's exception if it is
-/// something else.
+/// Notes how long the playing of a day took, to foresee how long others will.
+void note_seconds(const std::filesystem::path& file, const std::string& key, double seconds);
+
+/// The keys that have their results, with the seconds that these took where they are known; none if there is no file.
+/// Throws Error{bad_input} as begin_sweep.
+std::map<std::string, std::optional<double>> seconds_of_results(const std::filesystem::path& file);
+
+/// Makes the file, if it is missing, with tables for results; no days are asked for. Throws Error{bad_input} as
+/// begin_sweep.
 void begin_results(const std::filesystem::path& file);
 
 /// Adds the results of another such file, whole or not at all, durably; those of a key that has its result are left
@@ -57,6 +67,16 @@ std::string swept_days_csv(const std::filesystem::path& file);
 
 /// steps.csv: a row a step of every day, `run` first.
 std::string swept_steps_csv(const std::filesystem::path& file);
+
+/// What of the days that were asked for is played.
+struct PlayedDays {
+  std::vector<FinishedDay> days;     ///< those with a result, by `run`
+  std::vector<FinishedDay> missing;  ///< those without, which have no totals
+  std::string first_missing;         ///< the `run` of the first of these
+};
+
+/// The days of a sweep that have their results, which may go on. Throws Error{bad_input} if there is no such file.
+PlayedDays read_played(const std::filesystem::path& file);
 
 /// The days that were asked for with their results, by `run`. Throws Error{bad_input} if there is no such file, or a
 /// day has no result.

@@ -12,6 +12,8 @@ namespace evbal {
 inline constexpr const char* sweep_file_name = "sweep.sqlite";
 /// The file of a tuning's days.
 inline constexpr const char* tuning_file_name = "tuning.sqlite";
+/// What a tuning froze, written at its end.
+inline constexpr const char* tuned_file_name = "tuned.yaml";
 /// The file of a search's days.
 inline constexpr const char* search_file_name = "search.sqlite";
 

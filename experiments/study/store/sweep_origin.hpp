@@ -5,7 +5,7 @@
 
 namespace evbal {
 
-/// What a finished sweep was made from, kept in its sweep.sqlite (table `origin`) for those who read its results.
+/// What a sweep is made from, kept in its sweep.sqlite (table `origin`) for those who read its results.
 struct SweepOrigin {
   std::string command;   ///< that makes it again, but for --out
   std::string file;      ///< as given there
@@ -13,7 +13,7 @@ struct SweepOrigin {
   std::string scenario;  ///< the first day's, resolved
 };
 
-/// Writes it into a sweep.sqlite, once all days have their results, in place of what stood there.
+/// Writes it into a sweep.sqlite in place of what stood there.
 void note_origin(const std::filesystem::path& file, const SweepOrigin& origin);
 
 /// Throws Error{bad_input} if the file does not say.

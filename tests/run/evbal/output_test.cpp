@@ -70,6 +70,9 @@ TEST(Json, IsPrintedInPlaceOfTables) {
   const Json compared = json_of(line, "compare swept --against ratio");
   ASSERT_FALSE(compared.empty());
   EXPECT_TRUE(compared[0].contains("p_holm"));
+  const Json against_both = json_of(line, "compare swept --against ratio turnover --at idle_km");
+  EXPECT_EQ(against_both.front()["reference_variant"], "ratio");
+  EXPECT_EQ(against_both.back()["reference_variant"], "turnover");
 
   for (const char* kind : {"cities", "scenarios", "controllers", "metrics", "faults", "studies"}) {
     EXPECT_FALSE(json_of(line, std::string("list ") + kind).empty()) << kind;

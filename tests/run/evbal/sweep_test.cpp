@@ -42,6 +42,14 @@ TEST(Sweep, GoesOnAfterAKillAndGivesTheSameBytesForAnyNumberOfJobs) {
   ASSERT_GE(before, 2);
   ASSERT_LT(before, 12);
   EXPECT_FALSE(fs::exists(line.path() / "killed" / "days.csv"));
+  const Ended compared_before = line.evbal("compare killed --against ratio");
+  EXPECT_NE(compared_before.err.find("evbal: " + std::to_string(before) + " of 12 days are played"), std::string::npos)
+      << compared_before.err;
+  const Ended plan = line.evbal("sweep " + small + " --out killed --jobs 2 --dry-run");
+  EXPECT_EQ(plan.status, 0) << plan.err;
+  EXPECT_NE(plan.out.find("12 days, " + std::to_string(12 - before) + " left; with 2 at a time: "), std::string::npos)
+      << plan.out;
+  EXPECT_EQ(finished(line.path() / "killed"), before);
 
   const Ended resumed = line.evbal("sweep " + small + " --jobs 2 --out killed");
   ASSERT_EQ(resumed.status, 0) << resumed.err;
@@ -59,6 +67,9 @@ TEST(Sweep, GoesOnAfterAKillAndGivesTheSameBytesForAnyNumberOfJobs) {
   EXPECT_EQ(compared.status, 0) << compared.err;
   EXPECT_NE(compared.out.find("turnover  balancing.p_shortage=24 "), std::string::npos) << compared.out;
   EXPECT_EQ(lines_of(compared.out), 3) << compared.out;
+  EXPECT_EQ(lines_of(line.evbal("compare whole --against ratio --csv").out), 3);
+  EXPECT_EQ(line.evbal("sweep " + small + " --out new --dry-run").status, 0);
+  EXPECT_FALSE(fs::exists(line.path() / "new")) << "nothing is played, and nothing is left behind";
   EXPECT_EQ(line.evbal("compare whole --against robust").status, 2);
 }
 
