@@ -240,6 +240,28 @@ TEST(Comparison, SaysHowFarItIsToTheBound) {
   EXPECT_DOUBLE_EQ(against.front().difference.mean, (100.0 - 40.0) / 2) << "a day and seed";
 }
 
+TEST(Comparison, TakesTheWayOfDaysAndSeedsThatHaveABound) {
+  std::vector<FinishedDay> days;
+  for (const std::uint64_t seed : {1, 2}) {
+    for (const auto& [day, lost] : {std::pair("d1", 100.0), std::pair("d2", 200.0)}) {
+      days.push_back(day_of("ref", "1", day, seed, 10, lost));
+      days.push_back(day_of("ref", "2", day, seed, 20, lost / 2));
+      days.push_back(day_of("new", "1", day, seed, 10, seed == 1 ? 40 : 60));
+      days.push_back(day_of("new", "2", day, seed, 20, seed == 1 ? 20 : 30));
+    }
+  }
+  for (const std::uint64_t seed : {1, 2}) {
+    days.push_back(day_of("bound", "", "d1", seed, 5, 30));
+    days.push_back(day_of("bound", "", "d1", seed, 10, 0));
+  }
+  const Question question{.metric = "lost", .reference = "ref", .at = "idle_km", .bound = "bound"};
+  EXPECT_NEAR(compare(days, question).back().way.value(), (150.0 - 75.0) / 150.0, 1e-12);
+  days.pop_back();
+  days.pop_back();
+  EXPECT_NEAR(compare(days, question).back().way.value(), (75.0 - 30.0) / 75.0, 1e-12);
+  EXPECT_FALSE(compare(days, at_equal_km).back().way.has_value());
+}
+
 TEST(Comparison, RefusesWhatItCannotAnswer) {
   const auto refuse = [](const Question& question, const std::string& word) {
     try {

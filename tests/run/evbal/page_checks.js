@@ -140,6 +140,19 @@ async function checkPlay() {
   same(Number(document.querySelector("input[type=range]").value), reached, "after a stop the map");
 }
 
+// Pulls the map to the right and down.
+function checkDrag() {
+  const map = document.querySelector("svg[tabindex]");
+  const {x, y} = map.getBoundingClientRect();
+  const pull = (target, type, dx, dy) => target.dispatchEvent(
+    new MouseEvent(type, {bubbles: true, cancelable: true, view: window, clientX: x + dx, clientY: y + dy}));
+  pull(map, "mousedown", 20, 20);
+  pull(window, "mousemove", 50, 30);
+  pull(window, "mouseup", 50, 30);
+  const moved = map.querySelector("svg g").getAttribute("transform");
+  check(/^translate\((2\d|3\d)[.\d]*,(9|1\d)[.\d]*\) scale\(1\)/.test(moved), "the map is not pulled:", moved);
+}
+
 async function checkRun(files) {
   const steps = rowsOf(files.steps);
   const regions = rowsOf(files.regions);
@@ -162,6 +175,7 @@ async function checkRun(files) {
   checkMap(regions);
   checkColoursOfMap(regions);
   await checkPlay();
+  checkDrag();
 }
 
 function checkSweep(files) {

@@ -24,11 +24,12 @@ const shareText = share => number(100 * share) + " %";
 const costText = ({from, to}) => from === to ? number(from) : number(from) + " … " + number(to);
 
 // The cells of a row of a comparison, and of the same row with what happens before 07:00 left out.
-function comparisonCells(row, after, at) {
+function comparisonCells(row, after, at, judged) {
   return [
     ...(at ? [costText(row)] : []), brief(row.value), brief(row.reference),
     row.of_totals === null ? "" : signed(100 * row.of_totals, 1) + " %",
-    result(row, differenceOf(row)), result(row, rangeOf(row)), row.p_holm === null ? "" : number(row.p_holm, 4),
+    result(row, differenceOf(row)), result(row, rangeOf(row)),
+    ...(judged ? [row.p_holm === null ? "" : number(row.p_holm, 4)] : []),
     after?.days > 0 ? differenceOf(after) + ", " + rangeOf(after) : "",
   ];
 }
@@ -37,14 +38,15 @@ function comparisonTable({metric, at, reference, rows}) {
   const later = report.sweep.answers.find(other => other.metric === metric + late && other.reference === reference);
   const keys = ["scenario", "faults", "variant", "settings"];
   const same = row => later?.rows.find(other => keys.every(key => other[key] === row[key]));
+  const judged = rows.some(row => row.p_holm !== null);
   const head = [...(at ? [lower(metricNames[at])] : []), lower(metricNames[metric]), reference, "of totals", "difference",
-    "95 % by t", "p, Holm", later ? "from 07:00 on" : ""];
+    "95 % by t", ...(judged ? ["p, Holm"] : []), later ? "from 07:00 on" : ""];
   const counts = row => [String(row.days), ...(at ? [String(row.apart), row.inside + " of " + row.points,
     row.from < row.to ? shareText(row.covered) : ""] : [])];
   return table(["variant", wordHead("settings"), ...placeHead(), ...head, "days", ...(at ? ["apart", "inside", "covered"] : [])],
     rows.map(row => [
       row.variant, words(row.settings.replace(/[^ =]*[.]([^ .=]+=)/g, "$1") || "whole front"), ...placeCells(row),
-      ...(row.days > 0 ? comparisonCells(row, same(row), at) : head.map(() => "")), ...counts(row),
+      ...(row.days > 0 ? comparisonCells(row, same(row), at, judged) : head.map(() => "")), ...counts(row),
     ]));
 }
 
