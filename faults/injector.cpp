@@ -5,6 +5,8 @@
 #include "agents/world/world.hpp"
 #include "faults/schedule/schedule.hpp"
 
+#include <utility>
+
 namespace {
 
 using namespace evbal;
@@ -13,8 +15,15 @@ void inject(const ProcessOptions& options, Participant& participant) {
   YamlMap scenario(YamlValue::load(options.scenario));
   const World world = read_world(scenario);
   const Eigen::VectorXi points = world.city.points();
-  const Schedule schedule = read_resolved(scenario, {world.clock, {points.begin(), points.end()}});
-  serve_injector(participant, options, [&](int tick) { return faults_at(schedule, world.clock, tick); });
+  const FaultContext context{world.clock, {points.begin(), points.end()}};
+  Schedule schedule = read_resolved(scenario, context);
+  const auto amended = [&] {
+    YamlMap again(YamlValue::load(options.scenario));
+    const Schedule before = std::exchange(schedule, read_resolved(again, context));
+    return schedule != before;
+  };
+  serve_injector(participant, options,
+                 {.faults = [&](int tick) { return faults_at(schedule, world.clock, tick); }, .amended = amended});
 }
 
 }  // namespace

@@ -112,26 +112,39 @@ void say_hello(Participant& participant, const ProcessOptions& options, Connecte
   log_line(LogLevel::info, "hears all whom it must hear");
 }
 
-/// Waits for the newest tick after `last` that `concerns` the process.
+/// Waits for the newest tick after `last` that `concerns` the process. Whatever the conductor says meanwhile, such as
+/// the last tick again while the day stands still, shows that it is there: the wait begins anew. `said_again` is called
+/// for a tick that is not after `last`.
 template <class Concerns>
-Tick next_tick(Reader<Tick>& ticks, int last, std::chrono::seconds patience, Concerns concerns) {
-  std::optional<Tick> next;
+Tick next_tick(
+    Reader<Tick>& ticks, int last, std::chrono::seconds patience, Concerns concerns,
+    const std::function<void()>& said_again = [] {}) {
+  std::optional<Tick> heard;
   const auto come = [&] {
-    auto heard = ticks.take();
-    if (!heard.empty() && heard.back().message.tick > last && concerns(heard.back().message)) {
-      next = std::move(heard.back().message);
+    auto all = ticks.take();
+    if (!all.empty()) {
+      heard = std::move(all.back().message);
     }
-    return next.has_value();
+    return heard.has_value();
   };
-  const bool came =
-      process_legs().time("wait for the tick", [&] { return comes(patience, come, [&] { ticks.wait(nap); }); });
-  if (!came) {
+  const auto next = [&] {
+    for (; comes(patience, come, [&] { ticks.wait(nap); }); heard.reset()) {
+      if (heard->tick > last && concerns(*heard)) {
+        return true;
+      }
+      if (heard->tick <= last) {
+        said_again();
+      }
+    }
+    return false;
+  };
+  if (!process_legs().time("wait for the tick", next)) {
     throw none("tick after " + std::to_string(last) + " from the conductor", patience);
   }
   if (is_logged(LogLevel::debug)) {
-    log_line(LogLevel::debug, "tick " + std::to_string(next->tick));
+    log_line(LogLevel::debug, "tick " + std::to_string(heard->tick));
   }
-  return std::move(*next);
+  return std::move(*heard);
 }
 
 Plan plan_of(Reader<Plan>& plans, int tick, std::chrono::seconds patience) {
@@ -261,15 +274,23 @@ void serve_coordinator(Participant& participant, const ProcessOptions& options, 
   }
 }
 
-void serve_injector(Participant& participant, const ProcessOptions& options,
-                    const std::function<Faults(int tick)>& faults_of) {
+void serve_injector(Participant& participant, const ProcessOptions& options, const Schedules& schedules) {
   Reader<Tick> ticks(participant);
   Writer<Faults> writer(participant);
   say_hello(participant, options, [&] { return ticks.writers() > 0 && writer.readers() > 0; });
-  for (int tick = -1;; tick = next_tick(ticks, tick, options.patience, attended).tick) {
+  const auto say = [&](int tick) {
     const Faults faults =
-        process_legs().time("faults", [&] { return with_origin([&] { return faults_of(tick + 1); }); });
+        process_legs().time("faults", [&] { return with_origin([&] { return schedules.faults(tick); }); });
     process_legs().time("send", [&] { writer.write(faults); });
+  };
+  for (int tick = -1;;) {
+    say(tick + 1);
+    const auto said_again = [&] {
+      if (schedules.amended()) {
+        say(tick + 1);
+      }
+    };
+    tick = next_tick(ticks, tick, options.patience, attended, said_again).tick;
   }
 }
 

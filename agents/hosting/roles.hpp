@@ -46,8 +46,15 @@ struct Planner {
 /// Answers as the coordinator, until the process is ended.
 [[noreturn]] void serve_coordinator(Participant& participant, const ProcessOptions& options, const Planner& planner);
 
-/// `faults` is asked one tick ahead, so that the conductor does not wait.
-[[noreturn]] void serve_injector(Participant& participant, const ProcessOptions& options,
-                                 const std::function<Faults(int tick)>& faults);
+/// Who says what goes wrong.
+struct Schedules {
+  /// What is active in a tick. It is asked one tick ahead, so that the conductor does not wait.
+  std::function<Faults(int tick)> faults;
+  /// Whether there is more to say than before of ticks to come: asked when the conductor says a tick again.
+  std::function<bool()> amended = [] { return false; };
+};
+
+/// Answers as the injector, until the process is ended.
+[[noreturn]] void serve_injector(Participant& participant, const ProcessOptions& options, const Schedules& schedules);
 
 }  // namespace evbal

@@ -28,6 +28,9 @@ class Conductor {
   /// Whether every tick has been played.
   bool over() const { return next_ == world_.clock.ticks(); }
 
+  /// The tick that is to be begun, or that is going on.
+  int next() const { return next_; }
+
   /// Announces the next tick, which is to be played: `Players::play` gives what end_tick wants.
   const Tick& begin_tick();
 

@@ -2,7 +2,6 @@
 
 #include "agents/bus/surroundings.hpp"
 #include "agents/hosting/process.hpp"
-#include "agents/region/region_world.hpp"
 #include "common/error.hpp"
 #include "common/interrupt.hpp"
 #include "common/log.hpp"
@@ -12,6 +11,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <map>
 #include <utility>
 #include <vector>
@@ -22,11 +22,8 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-constexpr auto glance = 20ms;  // between looks at the processes while nothing comes
-
-// A process waits that many times longer than the conductor, who waits for the others one after another and can say
-// who is missing.
-constexpr int processes_patience = 10;
+constexpr auto glance = 20ms;    // between looks at the processes while nothing comes
+constexpr auto reminder = 5min;  // between two times that the others hear of us while the day stands still
 
 /// No two runs that could hear each other have the same.
 std::string new_run_id() {
@@ -73,6 +70,7 @@ struct DdsPlayers::Topics {
 
 DdsPlayers::DdsPlayers(const DdsRun& run) : run_(run), journals_(run.folder / "journals") {
   const auto begin = Clock::now();
+  said_.tick = -1;
   for (const auto& need : machine_needs(run_.programs)) {
     if (!need.met) {
       throw run_failed(need.what + ": " + need.cure);
@@ -118,54 +116,6 @@ bool DdsPlayers::begins_in_domain() {
       throw;
     }
     return false;
-  }
-}
-
-std::filesystem::path DdsPlayers::world_of(int agent) const {
-  return run_.world == nullptr ? "" : journals_.path() / ("agent-" + std::to_string(agent) + ".world");
-}
-
-void DdsPlayers::write_agent_worlds() const {
-  if (run_.world != nullptr) {
-    const auto regions = region_worlds(*run_.world);
-    for (int agent = 0; agent < run_.agents(); ++agent) {
-      write_agent_world(world_of(agent), *run_.world, regions, run_.first_region(agent), run_.last_region(agent));
-    }
-  }
-}
-
-void DdsPlayers::start_processes(BusAddress address) {
-  const auto deadline = Clock::now() + run_.patience;
-  const auto start = [&](ProcessOptions told, const std::vector<std::string>& command) {
-    check_interrupt();
-    if (Clock::now() > deadline) {
-      throw run_failed(told.name + " could not be started within " + std::to_string(run_.patience.count()) +
-                       " s, after " + std::to_string(absent_.size()) + " others");
-    }
-    told.address = address;
-    told.scenario = run_.folder / "scenario.resolved.yaml";
-    told.journal = journals_.path() / told.name;
-    told.patience = processes_patience * run_.patience;
-    told.log_level = least_logged();
-    std::vector<std::string> words(command.begin() + 1, command.end());
-    const auto options = arguments(told);
-    words.insert(words.end(), options.begin(), options.end());
-    const int host = address.participant - BusAddress::first_agent + 1;
-    supervisor_->start(told.name, command.front(), words, network_ && host > 0 ? network_->namespace_of(host) : -1);
-    absent_.insert(told.name);
-  };
-  const auto own = [&](const char* program) { return std::vector{(run_.programs / program).string()}; };
-  address.participant = BusAddress::coordinator;
-  start({.name = "coordinator"}, run_.coordinator.empty() ? own("evbal-coordinator") : run_.coordinator);
-  address.participant = BusAddress::injector;
-  start({.name = "faults"}, own("evbal-faults"));
-  for (int agent = 0; agent < run_.agents(); ++agent) {
-    address.participant = BusAddress::first_agent + agent;
-    start({.name = name_of(address.participant),
-           .world = world_of(agent),
-           .first_region = run_.first_region(agent),
-           .last_region = run_.last_region(agent)},
-          own("evbal-agent"));
   }
 }
 
@@ -261,11 +211,51 @@ std::vector<ProcessLegs> DdsPlayers::end() {
   return all;
 }
 
+void DdsPlayers::say(const Tick& tick) {
+  topics_->tick.write(tick);
+  said_at_ = Clock::now();
+}
+
+void DdsPlayers::amended(int fault) {
+  newest_fault_ = fault;
+  say(said_);
+}
+
+void DdsPlayers::stand_still() {
+  look_after_processes();
+  if (Clock::now() - said_at_ > reminder) {
+    say(said_);
+  }
+}
+
+std::vector<PlayerProcess> DdsPlayers::processes() const {
+  std::vector<PlayerProcess> all;
+  for (int participant = BusAddress::coordinator; participant < run_.participants(); ++participant) {
+    const std::string name = name_of(participant);
+    all.push_back({name, process_id(name), !absent_.contains(name) && !away_.contains(name)});
+  }
+  return all;
+}
+
+void DdsPlayers::kill(const std::string& name) {
+  for (const auto& process : processes()) {
+    if (process.name == name && process.id != 0) {
+      ::kill(process.id, SIGKILL);
+      return;
+    }
+  }
+  Players::kill(name);
+}
+
 Faults DdsPlayers::faults(int tick) {
   std::optional<Faults> found;
+  const auto knows_newest = [&](const Faults& said) {
+    return newest_fault_ < 0 ||
+           std::ranges::any_of(said.effects, [&](const Effect& effect) { return effect.fault == newest_fault_; });
+  };
   const auto come = [&] {
     for (auto& [from, faults] : topics_->faults.take()) {
-      if (faults.tick == tick) {
+      if (faults.tick == tick && knows_newest(faults)) {
         found = std::move(faults);
       }
     }
@@ -275,6 +265,7 @@ Faults DdsPlayers::faults(int tick) {
     await("faults of tick " + std::to_string(tick), topics_->faults, come,
           [] { return std::set<std::string>{"faults"}; });
   });
+  newest_fault_ = -1;
   return std::move(*found);
 }
 
@@ -291,7 +282,8 @@ Exchange DdsPlayers::play(const Tick& tick) {
     return region >= 0 && region < run_.regions && name_of(from) == host_of(region);
   };
   newest_ = std::max(newest_, tick.tick);
-  legs().time("tick", [&] { topics_->tick.write(tick); });
+  said_ = tick;
+  legs().time("tick", [&] { say(tick); });
   Exchange exchange;
   if (tick.plan_due && !tick.unattended) {
     Collected<Report> reports(tick.tick, tick.due);

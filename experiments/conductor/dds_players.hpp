@@ -62,6 +62,11 @@ class DdsPlayers : public Players {
   /// By signals: SIGKILL; SIGSTOP and SIGCONT.
   void take_away(const Absences& away) override;
 
+  void amended(int fault) override;
+  void stand_still() override;
+  std::vector<PlayerProcess> processes() const override;
+  void kill(const std::string& name) override;
+
   std::vector<ProcessLegs> end() override;
 
   /// Of "agent-0", ..., "coordinator" or "faults".
@@ -85,6 +90,7 @@ class DdsPlayers : public Players {
   /// Starts processes that died again, and takes the hellos of those that are back.
   void look_after_processes();
   void take_hellos();
+  void say(const Tick& tick);
 
   /// Waits until `come`, which takes from `reader`, is true; else names who is `missing`.
   template <class Message>
@@ -104,7 +110,10 @@ class DdsPlayers : public Players {
   std::chrono::steady_clock::time_point looked_;                         ///< when the processes were looked after
   std::vector<Incident> incidents_;
   Absences away_;
-  int newest_ = -1;  ///< tick that was announced
+  int newest_ = -1;                                ///< tick that was announced
+  Tick said_;                                      ///< what was announced last; of number -1 before the first tick
+  int newest_fault_ = -1;                          ///< that was added to the schedule and has not been said yet
+  std::chrono::steady_clock::time_point said_at_;  ///< when it was last announced
   double ready_seconds_ = 0.0;
 };
 

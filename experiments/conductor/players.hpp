@@ -15,6 +15,16 @@ enum class Absence { killed, paused };
 /// Processes that are away, by name: "agent-3", "coordinator", "faults".
 using Absences = std::map<std::string, Absence>;
 
+/// A process of the run, between two ticks.
+struct PlayerProcess {
+  std::string name;   ///< "agent-3", "coordinator", "faults"
+  int id = 0;         ///< of the process; 0 while it is gone
+  bool there = true;  ///< it is running, and on the bus
+
+  /// Field by field.
+  bool operator==(const PlayerProcess&) const = default;
+};
+
 /// Everybody but the conductor: agents, coordinator and injector, as processes on the bus or as objects in this one.
 class Players {
  public:
@@ -32,6 +42,20 @@ class Players {
   /// Announces the tick and gives back what was said, all that is due. Throws Error{run_failed} naming whom it
   /// waited for in vain.
   virtual Exchange play(const Tick& tick) = 0;
+
+  /// The schedule has been amended: its fault at this position begins at the next tick.
+  virtual void amended(int /*fault*/) {}
+
+  /// While the day stands still between two ticks: brings back processes that died, and lets all know that the
+  /// conductor is there.
+  virtual void stand_still() {}
+
+  /// The processes other than this one, if there are any.
+  virtual std::vector<PlayerProcess> processes() const { return {}; }
+
+  /// Ends a process as a `kill -9` from outside does, which the run survives. Throws Error{bad_input} if there is none
+  /// of that name.
+  virtual void kill(const std::string& name);
 
   /// Times the legs of a tick in the conductor's process.
   Legs& legs() { return legs_; }

@@ -5,10 +5,12 @@
 
 namespace evbal {
 
-void run_day(const World& world, Players& players, const std::function<void(const TickRecord&)>& observe) {
+void run_day(const World& world, Players& players, const std::function<void(const TickRecord&)>& observe,
+             const std::function<void(int tick)>& before_tick) {
   Conductor conductor(world, players, observe);
   while (!conductor.over()) {
     check_interrupt();
+    before_tick(conductor.next());
     const Tick& tick = conductor.begin_tick();
     conductor.end_tick(players.play(tick));
   }

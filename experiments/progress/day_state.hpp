@@ -32,6 +32,9 @@ class DayWatch {
   /// Takes the next tick.
   void add(const TickRecord& record);
 
+  /// The schedule has one more fault.
+  void add_fault(const std::string& name) { fault_names_.push_back(name); }
+
   /// After the last tick.
   const DayState& state() const { return state_; }
 

@@ -45,6 +45,10 @@ SQLite::Database created(const std::filesystem::path& file) {
 
 }  // namespace
 
+RequestedFault requested(const Fault& fault) {
+  return {.name = fault.name, .type = word(fault.type), .start = fault.start, .end = fault.start + fault.duration};
+}
+
 struct DayFile::Tables {
   explicit Tables(const std::filesystem::path& file)
       : database(created(file)),
@@ -161,6 +165,10 @@ void DayFile::Tables::add(const TickRecord& record) {
 
 void DayFile::add(const TickRecord& record) {
   tables_->write([&] { tables_->add(record); });
+}
+
+void DayFile::add_fault(std::size_t position, const RequestedFault& fault) {
+  tables_->write([&] { tables_->faults.add(fault_row(position, fault)); });
 }
 
 void DayFile::event(int tick, const std::string& kind, const std::string& what) {

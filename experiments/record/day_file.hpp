@@ -1,6 +1,7 @@
 #pragma once
 
 #include "agents/protocol/tick_record.hpp"
+#include "faults/schedule/schedule.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -16,6 +17,9 @@ struct RequestedFault {
   int start = 0;     ///< minute
   int end = 0;       ///< minute
 };
+
+/// A fault of a schedule, as it is recorded.
+RequestedFault requested(const Fault& fault);
 
 /// Writes run.sqlite: everything that was said in a day, in tables named after the messages, with one column per
 /// number, enum or text of the message and the names of its fields. A field that is itself a message gives columns
@@ -52,6 +56,9 @@ class DayFile {
 
   /// Adds a tick; it is durable after the next commit().
   void add(const TickRecord& record);
+
+  /// Adds a fault that was asked for while the day went on, at this position of the schedule.
+  void add_fault(std::size_t position, const RequestedFault& fault);
 
   /// Notes an event of a tick.
   void event(int tick, const std::string& kind, const std::string& what);

@@ -5,7 +5,7 @@
 #include "common/error.hpp"
 #include "common/files.hpp"
 #include "experiments/record/csv.hpp"
-#include "experiments/record/row.hpp"
+#include "experiments/record/events.hpp"
 #include "experiments/record/summary.hpp"
 
 #include <algorithm>
@@ -49,14 +49,6 @@ void add_to(Digest& digest, const TickRecord& record) {
   for (const auto& said : record.exchange.departures) {
     fingerprint(digest, said);
   }
-}
-
-std::set<int> active_faults(const TickRecord& record) {
-  std::set<int> active;
-  for (const auto& effect : record.faults.effects) {
-    active.insert(effect.fault);
-  }
-  return active;
 }
 
 }  // namespace
@@ -114,31 +106,12 @@ void RunRecord::mark_incomplete() const {
 }
 
 void RunRecord::note_events(const TickRecord& record) {
-  const auto now = active_faults(record);
-  const auto before = ticks_.empty() ? std::set<int>{} : active_faults(ticks_.back());
-  const auto name = [this](int fault) { return header_.faults.at(static_cast<std::size_t>(fault)).name; };
-  for (const int fault : now) {
-    if (!before.contains(fault)) {
-      file_.event(record.tick.tick, "fault begins", name(fault));
-    }
+  std::vector<std::string> names;
+  for (const auto& fault : header_.faults) {
+    names.push_back(fault.name);
   }
-  for (const int fault : before) {
-    if (!now.contains(fault)) {
-      file_.event(record.tick.tick, "fault ends", name(fault));
-    }
-  }
-  if (record.exchange.plan && record.exchange.plan->provenance.fallback != FallbackLevel::none) {
-    const Provenance& provenance = record.exchange.plan->provenance;
-    file_.event(record.tick.tick, "fallback", std::string(word(provenance.fallback)) + ": " + provenance.reason);
-  }
-  if (record.exchange.plan) {
-    for (const Rejection& rejection : record.exchange.plan->provenance.rejected) {
-      file_.event(record.tick.tick, "report rejected",
-                  "region " + std::to_string(rejection.region) + ": " + rejection.reason);
-    }
-  }
-  for (const auto& incident : record.exchange.incidents) {  // last: a replay has the others alone, numbered alike
-    file_.event(record.tick.tick, incident.kind, incident.what);
+  for (const auto& [kind, what] : events_of(record, ticks_.empty() ? nullptr : &ticks_.back(), names)) {
+    file_.event(record.tick.tick, kind, what);
   }
 }
 
@@ -155,6 +128,13 @@ void RunRecord::add(const TickRecord& record) {
     mark_incomplete();
   }
   last_ = Clock::now();
+}
+
+void RunRecord::amend(const std::string& resolved, const RequestedFault& fault) {
+  file_.add_fault(header_.faults.size(), fault);
+  header_.faults.push_back(fault);
+  header_.resolved = resolved;
+  write_file(folder_ / "scenario.resolved.yaml", resolved);
 }
 
 void RunRecord::break_off(const std::string& why) {

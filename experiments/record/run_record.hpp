@@ -77,6 +77,9 @@ class RunRecord {
   /// Adds the next tick.
   void add(const TickRecord& record);
 
+  /// The scenario has one more fault, at the end of its schedule, and now reads `resolved`.
+  void amend(const std::string& resolved, const RequestedFault& fault);
+
   /// Notes why the run breaks off here, among the events of the tick that did not end, if the file can still be
   /// written.
   void break_off(const std::string& why);

@@ -8,7 +8,6 @@
 #include "experiments/conductor/empty_folder.hpp"
 #include "experiments/conductor/inproc_players.hpp"
 #include "experiments/conductor/run_day.hpp"
-#include "experiments/record/row.hpp"
 #include "experiments/record/summary.hpp"
 #include "experiments/run/cross_check.hpp"
 #include "experiments/run/external_plans.hpp"
@@ -40,8 +39,9 @@ InprocPlayers::Planner plans_of(const Scenario& scenario, const std::filesystem:
   };
 }
 
-std::unique_ptr<Players> players_of(const Scenario& scenario, const std::filesystem::path& folder,
-                                    const std::string& transport) {
+/// `schedule` must outlive the players, who follow it as it becomes.
+std::unique_ptr<Players> players_of(const Scenario& scenario, const Schedule& schedule,
+                                    const std::filesystem::path& folder, const std::string& transport) {
   if (transport == "dds") {
     return std::make_unique<DdsPlayers>(DdsRun{.folder = folder,
                                                .regions = scenario.world.city.size(),
@@ -54,7 +54,7 @@ std::unique_ptr<Players> players_of(const Scenario& scenario, const std::filesys
   }
   return std::make_unique<InprocPlayers>(
       scenario.world, plans_of(scenario, folder),
-      [&scenario](int tick) { return faults_at(scenario.schedule, scenario.world.clock, tick); },
+      [&scenario, &schedule](int tick) { return faults_at(schedule, scenario.world.clock, tick); },
       scenario.regions_per_process);
 }
 
@@ -83,8 +83,7 @@ RunHeader header_of(const Scenario& scenario, const std::string& resolved) {
     header.region_names.push_back(region.name);
   }
   for (const auto& fault : scenario.schedule.faults) {
-    header.faults.push_back(
-        {.name = fault.name, .type = word(fault.type), .start = fault.start, .end = fault.start + fault.duration});
+    header.faults.push_back(requested(fault));
   }
   return header;
 }
@@ -92,14 +91,24 @@ RunHeader header_of(const Scenario& scenario, const std::string& resolved) {
 RunResult play_and_record(const Scenario& scenario, const std::string& resolved, const std::filesystem::path& folder,
                           const Stage& stage) {
   RunRecord record(folder, header_of(scenario, resolved));
-  const auto players = players_of(scenario, folder, stage.transport);
+  Schedule schedule = scenario.schedule;
+  const auto players = players_of(scenario, schedule, folder, stage.transport);
+  const auto observe = [&](const TickRecord& tick) {
+    players->legs().time("record", [&] { record.add(tick); });
+    if (stage.on_tick) {
+      stage.on_tick(tick);
+    }
+    check_interrupt();
+  };
+  std::optional<DayDoor> door;
+  if (stage.door) {
+    door.emplace(DayDoor::Day{scenario, schedule, *players, record}, *stage.door);
+  }
   try {
-    run_day(scenario.world, *players, [&](const TickRecord& tick) {
-      players->legs().time("record", [&] { record.add(tick); });
-      if (stage.on_tick) {
-        stage.on_tick(tick);
+    run_day(scenario.world, *players, observe, [&](int tick) {
+      if (door) {
+        door->before_tick(tick);
       }
-      check_interrupt();
     });
   } catch (const Error& error) {
     record.break_off(error.what());
@@ -167,13 +176,13 @@ RunResult record_day(const Scenario& scenario, const std::string& resolved, cons
 }
 
 DayResult play_day(const Scenario& scenario) {
-  return play_without_record(scenario, *players_of(scenario, {}, "inproc"));
+  return play_without_record(scenario, *players_of(scenario, scenario.schedule, {}, "inproc"));
 }
 
 DayResult play_day(const Scenario& scenario, const std::filesystem::path& folder) {
   const EmptyFolder own(folder);
   write_file(folder / "scenario.resolved.yaml", resolved_yaml(scenario, scenario.planning.controller));
-  return play_without_record(scenario, *players_of(scenario, folder, scenario.transport));
+  return play_without_record(scenario, *players_of(scenario, scenario.schedule, folder, scenario.transport));
 }
 
 }  // namespace evbal

@@ -3,19 +3,22 @@
 #include "agents/protocol/tick_record.hpp"
 #include "experiments/metrics/day_result.hpp"
 #include "experiments/record/run_record.hpp"
+#include "experiments/run/day_door.hpp"
 #include "experiments/scenario/scenario.hpp"
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace evbal {
 
-/// How a day is played, none of which changes what happens in it.
+/// How a day is played. None of it changes what happens in the day but what is asked for through the door.
 struct Stage {
   std::string transport;                                ///< "dds" or "inproc"
   std::function<void(const TickRecord&)> on_tick = {};  ///< is told of each tick that is over, if there is one
+  std::optional<DoorOptions> door = {};                 ///< whether the day takes requests while it goes on
 };
 
 /// The transport that takes least: "inproc", or the scenario's if the plans are made by another coordinator than

@@ -23,23 +23,14 @@ const std::string draws_mark = "draws ";
 
 /// Whether a run may have written the file.
 bool is_of_run(const fs::path& file) {
-  static const std::set<std::string> names = {"INCOMPLETE",
-                                              "distribution.csv",
-                                              "faults.csv",
-                                              "regions.csv",
-                                              "report.html",
-                                              "run.sqlite",
-                                              "runs.csv",
-                                              "runs.sqlite",
-                                              "steps.csv",
-                                              "worst.yaml",
-                                              "summary.json",
-                                              "run.sqlite-journal",
-                                              "runs.sqlite-journal",
-                                              "scenario.resolved.yaml"};
+  static const std::set<std::string> names = {
+      "INCOMPLETE",  "distribution.csv", "faults.csv",         "faults.yaml",         "regions.csv",
+      "report.html", "run.sqlite",       "runs.csv",           "runs.sqlite",         "steps.csv",
+      "worst.yaml",  "summary.json",     "run.sqlite-journal", "runs.sqlite-journal", "scenario.resolved.yaml"};
   const std::string folder = file.parent_path().filename();
   const bool unfinished = file.extension() == ".partial";  // a NewFile of a process that was killed
-  return unfinished || names.contains(file.filename()) || folder == "processes" || folder == "journals";
+  return unfinished || names.contains(file.filename()) || folder == "processes" || folder == "journals" ||
+         folder == "requests";
 }
 
 /// Whether the directory has the mark of a record that is not complete, and nothing that no run writes. Not one that

@@ -9,8 +9,10 @@
 namespace evbal {
 namespace {
 
+/// With the line that asked for it, if a file did.
 std::string line_of(const PlacedFault& placed) {
-  return "`" + placed.fault.name + "` (line " + std::to_string(placed.where.line()) + ")";
+  const int line = placed.where.line();
+  return "`" + placed.fault.name + "`" + (line > 0 ? " (line " + std::to_string(line) + ")" : "");
 }
 
 /// Whether two faults exclude each other where they meet: of a type and of one field or topic, or of one process.

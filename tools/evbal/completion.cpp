@@ -4,6 +4,7 @@
 #include "common/installation.hpp"
 #include "coordinator/balancing/controllers.hpp"
 #include "experiments/study/design/trade.hpp"
+#include "faults/schedule/fault_types.hpp"
 #include "tools/evbal/command_names.hpp"
 #include "tools/evbal/metric_meanings.hpp"
 
@@ -46,6 +47,7 @@ Names values_of(const CLI::Option& option) {
       {"CITY", pack_names},
       {"SCENARIO", [] { return shipped_names("scenarios"); }},
       {"SWEEP", [] { return shipped_names("studies"); }},
+      {"FAULT", fault_type_names},
       {"BENCHMARK", [] { return shipped_names("benchmarks"); }},
       {"TUNING", [] { return shipped_names("studies"); }},
       {"--at", traded_metrics},

@@ -60,6 +60,15 @@ void DayProgress::show(const TickRecord& record) {
   }
 }
 
+void DayProgress::note_pace(const DayPace& pace) {
+  if (pace.paused != paused_) {
+    paused_ = pace.paused;
+    std::fprintf(stderr, "%s %s\n", paused_ ? "paused by request before" : "goes on at",
+                 time_of_day(clock_, clock_.minute_of(pace.tick)).c_str());
+    drawn_ = 0;
+  }
+}
+
 std::function<void(const TickRecord&)> shown_day(const Scenario& scenario, bool quiet) {
   if (quiet) {
     return {};

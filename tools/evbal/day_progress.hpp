@@ -3,6 +3,7 @@
 #include "agents/protocol/tick_record.hpp"
 #include "common/clock.hpp"
 #include "experiments/progress/day_state.hpp"
+#include "experiments/run/day_door.hpp"
 #include "experiments/scenario/scenario.hpp"
 
 #include <chrono>
@@ -23,6 +24,12 @@ class DayProgress {
   /// Takes the next tick.
   void show(const TickRecord& record);
 
+  /// The schedule has one more fault.
+  void add_fault(const std::string& name) { watch_.add_fault(name); }
+
+  /// Says once that the day has been paused, or goes on.
+  void note_pace(const DayPace& pace);
+
  private:
   void redraw(const std::vector<std::string>& lines);
 
@@ -31,6 +38,7 @@ class DayProgress {
   bool terminal_;
   std::size_t drawn_ = 0;  ///< lines above the cursor that are ours
   std::chrono::steady_clock::time_point start_;
+  bool paused_ = false;
   std::set<std::string> seen_;  ///< faults since the last of the lines by the hour
   DayWatch watch_;
 };

@@ -10,6 +10,7 @@
 #include "tools/evbal/doctor_command.hpp"
 #include "tools/evbal/fit_command.hpp"
 #include "tools/evbal/ingest_command.hpp"
+#include "tools/evbal/inject_command.hpp"
 #include "tools/evbal/list_command.hpp"
 #include "tools/evbal/replay_command.hpp"
 #include "tools/evbal/report_command.hpp"
@@ -49,6 +50,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "evbal " + evbal::version());
   app.require_subcommand(1);
   evbal::add_run_command(app);
+  evbal::add_inject_command(app);
   evbal::add_show_command(app);
   evbal::add_list_command(app);
   evbal::add_sweep_command(app);

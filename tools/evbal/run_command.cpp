@@ -56,20 +56,45 @@ void note_latest(const fs::path& folder, const RunArguments& arguments) {
   }
 }
 
-/// Plays the runs, and their twins beside them.
-std::vector<RunResult> record_all(const std::vector<Run>& runs, bool quiet) {
-  std::optional<Twins> twins;
-  if (!runs.front().scenario.schedule.faults.empty()) {
-    twins.emplace(runs);
+/// Plays a run, shows how far it has come, and asks for its twin as soon as it has a fault.
+RunResult play(const std::vector<Run>& runs, std::size_t position, Twins& twins, bool quiet) {
+  const Scenario& scenario = runs[position].scenario;
+  std::optional<DayProgress> progress;
+  if (!quiet) {
+    progress.emplace(scenario);
   }
+  if (!scenario.schedule.faults.empty()) {
+    twins.need(position);
+  }
+  const auto on_tick = [&](const TickRecord& tick) {
+    if (progress) {
+      progress->show(tick);
+    }
+  };
+  DoorOptions door;
+  door.on_fault = [&](const Fault& fault) {
+    twins.need(position);
+    if (progress) {
+      progress->add_fault(fault.name);
+    }
+  };
+  door.on_pace = [&](const DayPace& pace) {
+    if (progress) {
+      progress->note_pace(pace);
+    }
+  };
+  return record(runs[position], on_tick, door);
+}
+
+/// Plays the runs, and beside them the twins of those with faults.
+std::vector<RunResult> record_all(const std::vector<Run>& runs, bool quiet) {
+  Twins twins(runs);
   std::vector<RunResult> results;
   results.reserve(runs.size());
-  for (const auto& run : runs) {
-    results.push_back(record(run, shown_day(run.scenario, quiet)));
+  for (std::size_t position = 0; position < runs.size(); ++position) {
+    results.push_back(play(runs, position, twins, quiet));
   }
-  if (twins) {
-    twins->await();
-  }
+  twins.await();
   return results;
 }
 

@@ -184,6 +184,9 @@ fs::path draws_file(const fs::path& folder) {
 
 DrawsResult play_draws(const Draws& draws, const fs::path& folder, const DrawsStage& stage) {
   Twins twins(draws.runs);
+  for (std::size_t run = 0; run < draws.runs.size(); ++run) {
+    twins.need(run);
+  }
   play(draws, folder, stage);
   twins.await();
   const std::vector<Drawn> all = gathered(draws.runs, folder);

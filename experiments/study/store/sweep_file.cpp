@@ -254,7 +254,7 @@ PlayedDays read_played(const fs::path& file) try {
   }
   const SQLite::Database database = open_database(file);
   if (is_blank(database)) {
-    throw bad_input(file.string() + ": holds no day yet; run the sweep to its end first");
+    throw bad_input(file.string() + ": holds no day yet; run the sweep first");
   }
   SQLite::Statement rows(database, "SELECT * FROM days LEFT JOIN results USING (key) LEFT JOIN " + after_7_query() +
                                        " USING (key) ORDER BY run");

@@ -37,7 +37,7 @@ int main(int argc, char** argv) {
                             {.plan = fake::plan, .memory = [] { return ""; }, .recall = [](auto&&...) {}});
         }
         if (options.name == "faults") {
-          serve_injector(participant, options, fake::faults);
+          serve_injector(participant, options, {.faults = fake::faults});
         }
         be_agent(options, participant);
       });

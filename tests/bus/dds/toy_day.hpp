@@ -72,9 +72,10 @@ class ToyDay : public testing::Test {
   using Observer = std::function<void(const TickRecord&)>;
 
   std::string digest_of(
-      Players& players, const Observer& observe = [](const TickRecord&) {}) {
+      Players& players, const Observer& observe = [](const TickRecord&) {},
+      const std::function<void(int tick)>& before_tick = [](int) {}) {
     Digest digest;
-    run_day(scenario_.world, players, [&](const TickRecord& record) {
+    const auto gather = [&](const TickRecord& record) {
       fingerprint(digest, record.faults);
       for (const auto& report : record.exchange.reports) {
         fingerprint(digest, report);
@@ -88,7 +89,8 @@ class ToyDay : public testing::Test {
         fingerprint(digest, departures);
       }
       observe(record);
-    });
+    };
+    run_day(scenario_.world, players, gather, before_tick);
     return digest.hex();
   }
 
