@@ -17,8 +17,6 @@ struct Question {
   std::string reference{};          ///< variant that the others are held against
   std::optional<std::string> at{};  ///< idle_km or lost, also `_after_7`, at whose equal values; none: whatever it is
   std::optional<std::string> bound{};  ///< variant with the least that is possible on a day, if days have one
-
-  bool operator==(const Question&) const = default;
 };
 
 /// How a variant lies to the reference: its whole front, or one setting of it, which is held against the reference's

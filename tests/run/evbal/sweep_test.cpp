@@ -92,11 +92,16 @@ TEST(Tune, GivesTheSameBytesForAnyNumberOfJobsAndASweepTakesThem) {
 
   std::ofstream(line.path() / "sweep.yaml") << "schema: 1\nscenario: morning.yaml\nseeds: [1]\ndays: [2024-01-11]\n"
                                                "tuning: tuning.yaml\nvariants: [{tuned: ratio}, {controller: none}]\n";
+  EXPECT_NE(line.evbal("sweep sweep.yaml --out three --dry-run").out.find("tunes its variants first"),
+            std::string::npos);
+  EXPECT_FALSE(fs::exists(line.path() / "three"));
   const Ended swept = line.evbal("sweep sweep.yaml --out one --quiet");
   ASSERT_EQ(swept.status, 0) << swept.err;
   EXPECT_EQ(lines_of(text_of(line.path() / "one" / "days.csv")), 3);
   const Ended again = line.evbal("sweep sweep.yaml --out one");
   EXPECT_EQ(again.err, "");  // nothing is played twice
+  const std::string plan = line.evbal("sweep sweep.yaml --out one --dry-run").out;
+  EXPECT_NE(plan.find("2 days, 0 left"), std::string::npos) << plan;
 }
 
 TEST(Tune, LeavesASweepInItsFolderItsOwnDays) {
