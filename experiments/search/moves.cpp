@@ -100,47 +100,56 @@ class Variation {
   RandomStream& stream_;
 };
 
-/// A drawn fault of an entry that may have one more; nothing if the draw has none.
-std::optional<Pick> fresh(const Ingredients& ingredients, const Picks& others, RandomStream& stream) {
+/// A drawn fault of any entry; nothing if the draw has none.
+std::optional<Pick> drawn(const Ingredients& ingredients, RandomStream& stream) {
   const std::size_t entry = stream.below(ingredients.entries.size());
-  const Request& request = ingredients.entries[entry];
-  const bool there = std::any_of(others.begin(), others.end(), [&](const Pick& pick) { return pick.entry == entry; });
-  if (request.start && there) {
-    return std::nullopt;
-  }
-  const std::vector<Fault> drawn = draw_faults(request, ingredients.context, {ingredients.seed, stream.bits()});
-  return drawn.empty() ? std::nullopt : std::optional(Pick{entry, drawn[stream.below(drawn.size())]});
+  const std::vector<Fault> faults =
+      draw_faults(ingredients.entries[entry], ingredients.context, {ingredients.seed, stream.bits()});
+  return faults.empty() ? std::nullopt : std::optional(Pick{entry, faults[stream.below(faults.size())]});
 }
 
-std::string add(const Ingredients& ingredients, Picks& picks, std::size_t most, RandomStream& stream) {
-  if (picks.size() < most) {
-    if (auto pick = fresh(ingredients, picks, stream)) {
+/// A fault that may stand beside the others; nothing if none was found.
+std::optional<Pick> another(const Ingredients& ingredients, const Picks& others, const MoveStock& stock,
+                            RandomStream& stream) {
+  constexpr std::uint64_t of = 4;  // times, of which only one draws anew
+  const bool anew = stock.harmful.empty() || stream.below(of) == 0;
+  std::optional<Pick> pick =
+      anew ? drawn(ingredients, stream) : std::optional(stock.harmful[stream.below(stock.harmful.size())]);
+  const bool once = pick && ingredients.entries[pick->entry].start;
+  const bool there = once && std::ranges::any_of(others, [&](const Pick& other) { return other.entry == pick->entry; });
+  return there ? std::nullopt : pick;
+}
+
+std::string add(const Ingredients& ingredients, Picks& picks, const MoveStock& stock, RandomStream& stream) {
+  if (picks.size() < stock.most) {
+    if (auto pick = another(ingredients, picks, stock, stream)) {
       picks.push_back(std::move(*pick));
     }
   }
   return "one more";
 }
 
-std::string swap(const Ingredients& ingredients, Picks& picks, std::size_t at, RandomStream& stream) {
+std::string swap(const Ingredients& ingredients, Picks& picks, std::size_t at, const MoveStock& stock,
+                 RandomStream& stream) {
   const std::string change = picks[at].fault.name + ": another in its place";
   Picks others = picks;
   others.erase(others.begin() + static_cast<std::ptrdiff_t>(at));
-  if (auto pick = fresh(ingredients, others, stream)) {
+  if (auto pick = another(ingredients, others, stock, stream)) {
     picks[at] = std::move(*pick);
   }
   return change;
 }
 
 /// Changes the schedule, perhaps to one that may not be or is the same, and says what was changed.
-std::string change(const Ingredients& ingredients, Picks& picks, std::size_t most, RandomStream& stream) {
+std::string change(const Ingredients& ingredients, Picks& picks, const MoveStock& stock, RandomStream& stream) {
   constexpr std::uint64_t kinds = 6;
   const std::uint64_t kind = stream.below(kinds);
   if (picks.empty() || kind == 0) {
-    return add(ingredients, picks, most, stream);
+    return add(ingredients, picks, stock, stream);
   }
   const std::size_t at = stream.below(picks.size());
   if (kind == 1) {
-    return swap(ingredients, picks, at, stream);
+    return swap(ingredients, picks, at, stock, stream);
   }
   Variation vary(ingredients, picks[at], stream);
   const std::string name = picks[at].fault.name;
@@ -162,12 +171,12 @@ std::string change(const Ingredients& ingredients, Picks& picks, std::size_t mos
 
 }  // namespace
 
-std::optional<ChangedSchedule> moved(const Ingredients& ingredients, const Picks& picks, std::size_t most,
+std::optional<ChangedSchedule> moved(const Ingredients& ingredients, const Picks& picks, const MoveStock& stock,
                                      RandomStream& stream) {
   constexpr int attempts = 100;
   for (int attempt = 0; attempt < attempts; ++attempt) {
     Picks next = picks;
-    const std::string words = change(ingredients, next, most, stream);
+    const std::string words = change(ingredients, next, stock, stream);
     next = in_order(std::move(next), ingredients);
     if (next != picks && keeps_guard(next, ingredients)) {
       return ChangedSchedule{std::move(next), words};

@@ -15,10 +15,17 @@ struct ChangedSchedule {
   std::string change;  ///< "outage-2: start"
 };
 
+/// What moves build with, beside the entries.
+struct MoveStock {
+  std::size_t most = 1;  ///< faults that a schedule has at most
+  Picks harmful{};       ///< faults of schedules that did much harm
+};
+
 /// Changes one fault: its start, duration, regions or magnitude, within what its entry leaves open and likely gives
-/// (Quantity::likely); or puts a drawn fault of any entry in its place or beside it. The schedule keeps the guard, has
-/// `most` faults at most, and one at most of an entry with a `start`. Nothing if no such change was found.
-std::optional<ChangedSchedule> moved(const Ingredients& ingredients, const Picks& picks, std::size_t most,
+/// (Quantity::likely); or puts another in its place or beside it: three of four times a harmful one of the stock, else
+/// a drawn fault of any entry. The schedule keeps the guard, has not more faults than the stock allows, and one at most
+/// of an entry with a `start`. Nothing if no such change was found.
+std::optional<ChangedSchedule> moved(const Ingredients& ingredients, const Picks& picks, const MoveStock& stock,
                                      RandomStream& stream);
 
 }  // namespace evbal

@@ -25,10 +25,10 @@ using Harms = std::function<std::vector<double>(const std::vector<Trial>&)>;
 /// Draws that a search of `budget` schedules begins with: the first third.
 std::size_t first_draws(std::size_t budget);
 
-/// Tries `budget` schedules, at least 1: random draws (ingredients.hpp), then moves (moves.hpp) of the eight best of
-/// them, later of the four, two and one that have come furthest. A move that does not less harm takes its parent's
-/// place. No schedule has more faults than the draw with most. Which schedules are tried depends on ingredients, budget
-/// and harms alone.
+/// Tries `budget` schedules, at least 1: random draws (ingredients.hpp), then moves (moves.hpp) of the four best of
+/// them, later of the two and the one that have come furthest. A move that does not less harm takes its parent's place.
+/// Their stock: no more faults than the draw with most, and those of the eight best draws. Which schedules are tried
+/// depends on ingredients, budget and harms alone.
 std::vector<Trial> search_worst(const Ingredients& ingredients, std::size_t budget, const Harms& harms);
 
 /// The first of those that do most harm; there must be one.

@@ -37,15 +37,16 @@ void check_fault(const Pick& pick, const Ingredients& ingredients) {
 
 RC_GTEST_PROP(Moves, KeepGuardAndEntries, (std::uint32_t seed)) {
   const Ingredients ingredients = small_ingredients(seed);
-  Picks picks = random_draws(ingredients, 1).front();
-  const std::size_t most = picks.size() + 2;
+  const std::vector<Picks> draws = random_draws(ingredients, 2);
+  Picks picks = draws.front();
+  const MoveStock stock{.most = picks.size() + 2, .harmful = *rc::gen::element(Picks{}, draws.back())};
   RandomStream stream(seed, Purpose::fault, {});
   for (int i = 0; i < 20; ++i) {
-    const auto next = moved(ingredients, picks, most, stream);
+    const auto next = moved(ingredients, picks, stock, stream);
     RC_ASSERT(next.has_value());
     RC_ASSERT(next->picks != picks);
     picks = next->picks;
-    RC_ASSERT(picks.size() <= most);
+    RC_ASSERT(picks.size() <= stock.most);
     RC_ASSERT(std::count_if(picks.begin(), picks.end(), [](const Pick& pick) { return pick.entry == 1; }) <= 1);
     for (const auto& pick : picks) {
       check_fault(pick, ingredients);
@@ -55,6 +56,23 @@ RC_GTEST_PROP(Moves, KeepGuardAndEntries, (std::uint32_t seed)) {
         yaml_of([&](YamlWriter& out) { write_schedule(out, schedule, ingredients.context.clock); });
     RC_ASSERT(testing::read_text(yaml) == schedule);  // the reader of schedules holds the guard against it
   }
+}
+
+TEST(Moves, TakeNewFaultsFromTheHarmfulOnes) {
+  const Ingredients ingredients = small_ingredients(1);
+  Pick harmful = random_draws(ingredients, 1).front().front();
+  harmful.fault.start = 7;
+  harmful.fault.duration = 11;
+  RandomStream stream(1, Purpose::fault, {});
+  constexpr int moves = 400;
+  int taken = 0;
+  for (int i = 0; i < moves; ++i) {
+    const auto next = moved(ingredients, {}, {.most = 1, .harmful = {harmful}}, stream);
+    ASSERT_TRUE(next.has_value());
+    const Fault& fault = next->picks.front().fault;
+    taken += fault.start == 7 && fault.duration == 11 ? 1 : 0;
+  }
+  EXPECT_NEAR(taken, 0.75 * moves, 0.1 * moves);
 }
 
 RC_GTEST_PROP(Moves, LikelyHoldsMostDraws, (std::uint32_t seed)) {

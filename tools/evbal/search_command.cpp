@@ -126,10 +126,10 @@ std::string text_of(const SearchTask& task, const Found& found, const SearchedDa
   }
   return text + line("what remains of it", found.small.harm) + ", " +
          fixed(100.0 * found.small.harm / found.worst.harm, 0) + " %, " + faults_of(found.small) + ", after " +
-         std::to_string(found.trials.size() - found.tried) + " more tried\n\n`" + task.metric + "` " +
-         (task.more_is_worse ? "rises" : "falls") + " by " + number_words(found.small.harm) + ", " +
-         times_drawn(found.small, found) + " under " + draws + ", with " +
-         described(days.with(found.small.picks).schedule, task.scenario.world.clock) + " alone.\n";
+         std::to_string(found.trials.size() - found.tried) + " more tried\n\nEnough for `" + task.metric + "` to " +
+         (task.more_is_worse ? "rise" : "fall") + " by " + number_words(found.small.harm) + ", " +
+         times_drawn(found.small, found) + " under " + draws + ": " +
+         described(days.with(found.small.picks).schedule, task.scenario.world.clock) + ".\n";
 }
 
 /// A scenario that runs alone, held to all that it expects.
