@@ -76,6 +76,9 @@ inline const std::vector<Room>& rooms() {
       {"tools/report",
        {"common", "agents/world", "coordinator/forecast", "experiments/bound", "experiments/record",
         "experiments/study/store", "experiments/study/statistics"}},
+      {"tools/console",
+       {"common", "agents/protocol", "faults/schedule", "experiments/scenario", "experiments/record", "experiments/run",
+        "tools/report"}},
       {"tools/samples", {"common", "coordinator/balancing"}},
       {"tools/verify",
        {"common", "coordinator/ambiguity", "coordinator/convex", "coordinator/balancing", "coordinator/planning",
@@ -108,6 +111,7 @@ inline const std::vector<Room>& rooms() {
         "tools/gps",
         "tools/ingest",
         "tools/report",
+        "tools/console",
         "tools/verify"}},
   };
   return table;
@@ -133,6 +137,7 @@ inline const std::vector<Reserved>& reserved() {
       {"Random123/", {"common"}},
       {"nlopt", {"coordinator/forecast"}},
       {"pybind11/", {"tools/python"}},
+      {"httplib", {"tools/console"}},
       {"SQLiteCpp/", {"experiments/record", "experiments/study/store"}},
   };
   return table;

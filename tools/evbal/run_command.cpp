@@ -9,6 +9,7 @@
 #include "experiments/run/run_folder.hpp"
 #include "experiments/run/twins.hpp"
 #include "experiments/study/executors/monte_carlo.hpp"
+#include "tools/console/console.hpp"
 #include "tools/evbal/console_table.hpp"
 #include "tools/evbal/day_progress.hpp"
 #include "tools/evbal/json_output.hpp"
@@ -37,7 +38,23 @@ struct RunArguments {
   bool quiet = false;
   bool json = false;
   std::string log_level = "warn";
+  std::optional<int> watch;  ///< port of the console, 0 for any
 };
+
+/// How fast a day is played that is watched, until somebody says otherwise: ten minutes a second.
+constexpr double watched_speed = 600.0;
+
+/// The port that `--watch` names, if it names one.
+int port_of(const std::string& given) {
+  if (given.empty() || given == "true") {  // as CLI11 has an option without its value
+    return 0;
+  }
+  const bool number = given.size() <= 5 && given.find_first_not_of("0123456789") == std::string::npos;
+  if (const int port = number ? std::stoi(given) : 0; port >= 1 && port <= 65'535) {
+    return port;
+  }
+  throw bad_input("--watch: `" + given + "` is no port; give one from 1 to 65535, or none to have one chosen");
+}
 
 /// What is shown of runs that are over.
 enum class Output { tables, folders, json };
@@ -56,12 +73,23 @@ void note_latest(const fs::path& folder, const RunArguments& arguments) {
   }
 }
 
-/// Plays a run, shows how far it has come, and asks for its twin as soon as it has a fault.
-RunResult play(const std::vector<Run>& runs, std::size_t position, Twins& twins, bool quiet) {
+/// Those who are told of the days: the terminal, and who watches.
+struct Audience {
+  bool quiet = false;
+  Console* console = nullptr;  ///< if somebody may watch
+};
+
+/// Plays a run, tells of it, and asks for its twin as soon as it has a fault.
+RunResult play(const std::vector<Run>& runs, std::size_t position, Twins& twins, const Audience& audience) {
   const Scenario& scenario = runs[position].scenario;
   std::optional<DayProgress> progress;
-  if (!quiet) {
+  if (!audience.quiet) {
     progress.emplace(scenario);
+  }
+  DoorOptions door;
+  if (audience.console != nullptr) {
+    audience.console->begin(scenario, runs[position].folder);
+    door.speed = watched_speed;
   }
   if (!scenario.schedule.faults.empty()) {
     twins.need(position);
@@ -70,29 +98,43 @@ RunResult play(const std::vector<Run>& runs, std::size_t position, Twins& twins,
     if (progress) {
       progress->show(tick);
     }
+    if (audience.console != nullptr) {
+      audience.console->add(tick);
+      audience.console->add_twin(twins.heard(position));
+    }
   };
-  DoorOptions door;
   door.on_fault = [&](const Fault& fault) {
     twins.need(position);
     if (progress) {
       progress->add_fault(fault.name);
+    }
+    if (audience.console != nullptr) {
+      audience.console->add_fault(fault);
     }
   };
   door.on_pace = [&](const DayPace& pace) {
     if (progress) {
       progress->note_pace(pace);
     }
+    if (audience.console != nullptr) {
+      audience.console->note_pace(pace);
+    }
   };
   return record(runs[position], on_tick, door);
 }
 
 /// Plays the runs, and beside them the twins of those with faults.
-std::vector<RunResult> record_all(const std::vector<Run>& runs, bool quiet) {
+std::vector<RunResult> record_all(const std::vector<Run>& runs, const RunArguments& arguments) {
   Twins twins(runs);
+  std::optional<Console> console;
+  if (arguments.watch) {
+    console.emplace(*arguments.watch);
+    std::fprintf(stderr, "watch at %s\n", console->link().c_str());
+  }
   std::vector<RunResult> results;
   results.reserve(runs.size());
   for (std::size_t position = 0; position < runs.size(); ++position) {
-    results.push_back(play(runs, position, twins, quiet));
+    results.push_back(play(runs, position, twins, {arguments.quiet, console ? &*console : nullptr}));
   }
   twins.await();
   return results;
@@ -142,7 +184,7 @@ void check_expectations(const Scenario& scenario, const std::vector<RunResult>& 
 
 /// The runs of a schedule that was drawn once.
 void play_once(const Scenario& scenario, const fs::path& folder, const RunArguments& arguments) {
-  const std::vector<RunResult> results = record_all(runs_of(scenario, folder), arguments.quiet);
+  const std::vector<RunResult> results = record_all(runs_of(scenario, folder), arguments);
   const std::string costs = write_reports(folder, results);
   note_latest(folder, arguments);
   const fs::path report = folder / "report.html";
@@ -200,6 +242,9 @@ void run(const RunArguments& arguments) {
   const Scenario scenario = read_scenario(find_scenario(arguments.options.scenario), overrides);
   check_planning(scenario);
   const fs::path folder = arguments.out.empty() ? claim_folder(scenario) : fs::path(arguments.out);
+  if (arguments.watch && scenario.draws.size() > 1) {
+    throw bad_input("--watch: shows one day; leave `runs` out of the schedule");
+  }
   const std::optional<Draws> draws =
       scenario.draws.size() > 1 ? std::optional(draws_of(scenario, folder)) : std::nullopt;
   const OutFolder out(folder, draws ? draws->fingerprint() : "");
@@ -225,6 +270,14 @@ void add_run_command(CLI::App& app) {
   add_scenario_options(*command, arguments->options);
   command->add_option("--out", arguments->out,
                       "Run directory, new, empty or of a run that broke off; otherwise one under runs/");
+  command
+      ->add_option_function<std::string>(
+          "--watch", [arguments](const std::string& port) { arguments->watch = port_of(port); },
+          "Serve a page on this port of 127.0.0.1, else on a free one, to watch the day and break it by hand; prints "
+          "its "
+          "link. The day is played at 600 times the wall's clock until the page says otherwise")
+      ->expected(0, 1)
+      ->option_text("[PORT]");
   command->add_flag("--quiet", arguments->quiet, "Without progress; print the run directories only");
   command->add_flag("--json", arguments->json, "Print the results as JSON");
   command

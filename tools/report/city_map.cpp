@@ -1,6 +1,10 @@
 #include "tools/report/city_map.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
 namespace evbal {
 
@@ -22,6 +26,24 @@ CityMap city_map(const std::vector<Region>& regions) {
     }
   }
   return map;
+}
+
+nlohmann::ordered_json map_json(const CityMap& map) {
+  const auto tens = [](double metres) { return static_cast<int>(std::lround(metres / 10.0)); };
+  nlohmann::ordered_json outlines = nlohmann::ordered_json::array();
+  for (const auto& region : map.outlines) {
+    nlohmann::ordered_json rings = nlohmann::ordered_json::array();
+    for (const auto& ring : region) {
+      nlohmann::ordered_json numbers = nlohmann::ordered_json::array();
+      for (const LocalPoint& point : ring) {
+        numbers.push_back(tens(point.east));
+        numbers.push_back(tens(-point.north));
+      }
+      rings.push_back(numbers);
+    }
+    outlines.push_back(rings);
+  }
+  return {{"names", map.names}, {"outlines", outlines}};
 }
 
 }  // namespace evbal

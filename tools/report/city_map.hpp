@@ -2,6 +2,8 @@
 
 #include "agents/world/geometry.hpp"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <string>
 #include <vector>
 
@@ -15,5 +17,8 @@ struct CityMap {
 
 /// Seen from the mean of the regions' centroids.
 CityMap city_map(const std::vector<Region>& regions);
+
+/// As pages read it: outlines as x, y, x, y, ... in whole tens of metres, y to the south.
+nlohmann::ordered_json map_json(const CityMap& map);
 
 }  // namespace evbal

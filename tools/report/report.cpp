@@ -5,7 +5,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <cmath>
 #include <string_view>
 
 namespace evbal {
@@ -35,25 +34,6 @@ Json thresholds_json(const std::vector<FittedThresholds>& thresholds) {
     all.push_back({{"series", series}, {"steps", steps}, {"g1", g1}, {"g2", g2}});
   }
   return all;
-}
-
-/// Outlines as x, y, x, y, ... in whole tens of metres, y to the south.
-Json map_json(const CityMap& map) {
-  const auto tens = [](double metres) { return static_cast<int>(std::lround(metres / 10.0)); };
-  Json outlines = Json::array();
-  for (const auto& region : map.outlines) {
-    Json rings = Json::array();
-    for (const auto& ring : region) {
-      Json numbers = Json::array();
-      for (const LocalPoint& point : ring) {
-        numbers.push_back(tens(point.east));
-        numbers.push_back(tens(-point.north));
-      }
-      rings.push_back(numbers);
-    }
-    outlines.push_back(rings);
-  }
-  return {{"names", map.names}, {"outlines", outlines}};
 }
 
 void check_clocks(const std::vector<ReportedRun>& runs) {

@@ -1,0 +1,6 @@
+#pragma once
+
+#include <httplib.h>
+
+// A macro of <resolv.h>, which Eigen's headers do not stand.
+#undef _res
