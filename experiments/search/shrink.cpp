@@ -166,11 +166,13 @@ class Shrinking {
     Picks picks = now_.picks;
     std::vector<Cut> cuts = cuts_of(picks, level);
     while (true) {
-      cuts = harmless_of(cuts, picks, level.share);
-      if (cuts.empty()) {
+      const std::vector<Cut> harmless = harmless_of(cuts, picks, level.share);
+      if (harmless.empty()) {
         return now_.number != before;
       }
-      const std::vector<std::vector<Cut>> groups = groups_of(cuts);
+      // Which fault is needed least changes as faults go, and few shall remain: only the best quarter at once.
+      const std::size_t most = level.of == Level::Of::faults ? (harmless.size() + 3) / 4 : harmless.size();
+      const std::vector<std::vector<Cut>> groups = groups_of(harmless, most);
       const std::vector<Trial> together = tried(groups, picks, level.share);
       // The last group can go: it was tried alone.
       std::size_t largest = 0;
@@ -179,6 +181,9 @@ class Shrinking {
       }
       picks = without(std::move(picks), groups[largest], level.share, ingredients_);
       now_ = together[largest];
+      if (level.of == Level::Of::extent) {
+        cuts = harmless;  // of the others, which are many, hardly one would go now
+      }
     }
   }
 
@@ -206,12 +211,12 @@ class Shrinking {
     return sorted;
   }
 
-  /// The first of all, seven eighths of them, ... and the first alone.
-  static std::vector<std::vector<Cut>> groups_of(const std::vector<Cut>& cuts) {
+  /// The first `most`, seven eighths of them, ... and the first alone.
+  static std::vector<std::vector<Cut>> groups_of(const std::vector<Cut>& cuts, std::size_t most) {
     constexpr std::size_t steps = 8;
     std::vector<std::vector<Cut>> groups;
     for (std::size_t step = steps; step > 0; --step) {
-      const std::size_t size = std::max<std::size_t>(1, cuts.size() * step / steps);
+      const std::size_t size = std::max<std::size_t>(1, most * step / steps);
       if (groups.empty() || size < groups.back().size()) {
         groups.emplace_back(cuts.begin(), cuts.begin() + static_cast<std::ptrdiff_t>(size));
       }
