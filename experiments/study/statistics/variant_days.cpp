@@ -38,7 +38,7 @@ DayTotals summed(const SeedTotals& played, const std::vector<std::uint64_t>& see
   DayTotals sums;
   for (const auto& [settings, totals] : played.at(seeds.front())) {
     SettingTotals sum;
-    const bool everywhere = std::all_of(seeds.begin(), seeds.end(), [&](std::uint64_t seed) {
+    const bool everywhere = std::all_of(seeds.begin(), seeds.end(), [&, &settings = settings](std::uint64_t seed) {
       const auto found = played.at(seed).find(settings);
       if (found == played.at(seed).end()) {
         return false;
