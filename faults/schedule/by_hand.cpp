@@ -12,7 +12,7 @@ namespace {
 /// The first name "by-hand-N" that no fault has.
 std::string free_name(const Schedule& schedule) {
   for (int number = 1;; ++number) {
-    const std::string name = "by-hand-" + std::to_string(number);
+    std::string name = "by-hand-" + std::to_string(number);
     if (std::ranges::none_of(schedule.faults, [&](const Fault& fault) { return fault.name == name; })) {
       return name;
     }

@@ -13,6 +13,7 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <memory>
 #include <string>
 #include <vector>
@@ -46,11 +47,13 @@ class Connection {
     return true;
   }
 
-  /// What comes until it holds `end`, or until the connection is closed; it may stand still for half a minute.
+  /// What comes until it holds `end`, or until the connection is closed, in half a minute at most.
   std::string hear(const std::string& end = "\n\nnever") const {
     std::string text;
     pollfd waited{.fd = socket_, .events = POLLIN, .revents = 0};
-    while (text.find(end) == std::string::npos && poll(&waited, 1, 30'000) > 0) {
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    while (text.find(end) == std::string::npos && std::chrono::steady_clock::now() < deadline &&
+           poll(&waited, 1, 30'000) > 0) {
       std::array<char, 4096> bytes{};
       const ssize_t count = recv(socket_, bytes.data(), bytes.size(), 0);
       if (count <= 0) {

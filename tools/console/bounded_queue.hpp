@@ -26,6 +26,7 @@ class BoundedQueue : public httplib::TaskQueue {
     }
   }
 
+  /// Takes a connection to be served; waits while too many do.
   Taken enqueue(std::function<void()> task) override {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return closed_ || tasks_.size() < most_; });
@@ -34,6 +35,7 @@ class BoundedQueue : public httplib::TaskQueue {
     return static_cast<Taken>(true);
   }
 
+  /// Serves those that wait, and ends the threads.
   void shutdown() override {
     {
       const std::lock_guard lock(mutex_);

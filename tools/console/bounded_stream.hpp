@@ -20,12 +20,19 @@ class BoundedStream : public httplib::Stream {
   /// Of an open socket. Both must outlive the stream.
   BoundedStream(socket_t socket, const std::atomic<bool>& stopping);
 
+  /// Waits until something can be read, and says whether it can.
   bool is_readable() const override;
+  /// Whether the other end is still there.
   bool is_writable() const override;
+  /// Bytes of the request, at most `size`: how many, or -1 if no more may come.
   ssize_t read(char* bytes, std::size_t size) override;
+  /// All of the bytes, or -1 if nobody takes them.
   ssize_t write(const char* bytes, std::size_t size) override;
+  /// Not told: all callers are of this machine.
   void get_remote_ip_and_port(std::string& address, int& port) const override;
+  /// Not told.
   void get_local_ip_and_port(std::string& address, int& port) const override;
+  /// The connection's.
   socket_t socket() const override { return socket_; }
 
  private:

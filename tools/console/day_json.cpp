@@ -161,7 +161,7 @@ std::string tick_json(const TickRecord& record, const DayTally& so_far, const st
   }
   json["log"] = Json::array();
   for (const auto& [kind, what] : events) {
-    json["log"].push_back(kind + ": " + what);
+    json["log"].push_back(std::string(kind).append(": ").append(what));
   }
   return json.dump();
 }
