@@ -136,27 +136,19 @@ TEST_F(DayDoorTest, TellsThoseWhoForesawTheDayNothingNew) {
 }
 
 TEST_F(DayDoorTest, StandsStillUntilItMayGoOn) {
-  std::vector<DayPace> told;
-  std::thread other;
+  std::set<int> paused_before;
+  std::vector<std::thread> others;
   const auto on_pace = [&](const DayPace& pace) {
-    told.push_back(pace);
-    if (pace.paused && !other.joinable()) {
-      other = std::thread([&] {
-        ask_run(run(), "{do: tick}", std::chrono::seconds(60));
-        ask_run(run(), "{do: go on}", std::chrono::seconds(60));
-      });
+    if (pace.paused && paused_before.insert(pace.tick).second) {
+      const std::string next = paused_before.size() == 1 ? "{do: tick}" : "{do: go on}";
+      others.emplace_back([this, next] { ask_run(run(), next, std::chrono::seconds(60)); });
     }
   };
   play(morning(), {{4, "{do: pause}"}}, {.on_pace = on_pace});
-  ASSERT_TRUE(other.joinable());
-  other.join();
-  EXPECT_EQ(ticks_.size(), 36U);
-  std::set<int> paused_before;
-  for (const DayPace& pace : told) {
-    if (pace.paused) {
-      paused_before.insert(pace.tick);
-    }
+  for (std::thread& other : others) {
+    other.join();
   }
+  EXPECT_EQ(ticks_.size(), 36U);
   EXPECT_EQ(paused_before, (std::set<int>{5, 6})) << "one tick, then paused again";
 }
 
