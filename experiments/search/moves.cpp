@@ -171,6 +171,11 @@ std::string change(const Ingredients& ingredients, Picks& picks, const MoveStock
 
 }  // namespace
 
+RandomStream move_stream(const Ingredients& ingredients, std::size_t number, std::size_t attempt) {
+  constexpr std::size_t index = 15;  // of 16; draws have lower ones
+  return {ingredients.seed, Purpose::fault, {.region = 0, .tick = number, .index = 16 * attempt + index}};
+}
+
 std::optional<ChangedSchedule> moved(const Ingredients& ingredients, const Picks& picks, const MoveStock& stock,
                                      RandomStream& stream) {
   constexpr int attempts = 100;

@@ -21,6 +21,9 @@ struct MoveStock {
   Picks harmful{};       ///< faults of schedules that did much harm
 };
 
+/// Random numbers for a move that makes the schedule `number`; no draw of faults has them.
+RandomStream move_stream(const Ingredients& ingredients, std::size_t number, std::size_t attempt);
+
 /// Changes one fault: its start, duration, regions or magnitude, within what its entry leaves open and likely gives
 /// (Quantity::likely); or puts another in its place or beside it: three of four times a harmful one of the stock, else
 /// a drawn fault of any entry. The schedule keeps the guard, has not more faults than the stock allows, and one at most

@@ -1,10 +1,12 @@
 #include "experiments/search/shrink.hpp"
 
+#include "experiments/search/moves.hpp"
 #include "faults/schedule/fault_types.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -33,8 +35,7 @@ constexpr Level whole_faults{Level::Of::faults};
 constexpr Level whole_regions{Level::Of::regions};
 
 /// Faults first: they get all of the harm that may be lost, so that few remain.
-constexpr std::array<Level, 4> coarse{
-    {whole_faults, whole_regions, {Level::Of::extent, 0.5}, {Level::Of::extent, 0.25}}};
+constexpr std::array<Level, 3> coarse{{whole_regions, {Level::Of::extent, 0.5}, {Level::Of::extent, 0.25}}};
 constexpr std::array<Level, 3> fine{{whole_faults, whole_regions, {Level::Of::extent, 0.125}}};
 
 /// Whole ticks, at least one; 0 if not even one would be left.
@@ -187,9 +188,46 @@ class Shrinking {
     }
   }
 
+  /// Takes the fault away that is needed least while one of the others changes; whether such a change was found.
+  bool exchange() {
+    if (now_.picks.size() < 2) {
+      return false;
+    }
+    const std::vector<Trial> fewer = evaluated(changed(least_needed_away()));
+    std::vector<Trial> as_bad;
+    std::copy_if(fewer.begin(), fewer.end(), std::back_inserter(as_bad),
+                 [&](const Trial& t) { return enough_(t.harm); });
+    if (!as_bad.empty()) {
+      now_ = most_harmful(as_bad);
+    }
+    return !as_bad.empty();
+  }
+
   const Trial& now() const { return now_; }
 
  private:
+  Trial least_needed_away() {
+    std::vector<std::vector<Cut>> single;
+    for (const Cut& cut : cuts_of(now_.picks, whole_faults)) {
+      single.push_back({cut});
+    }
+    return most_harmful(tried(single, now_.picks, 0.0));
+  }
+
+  /// Schedules with as many faults as `trial`, made by moves as those of a search.
+  std::vector<Trial> changed(const Trial& trial) const {
+    constexpr std::size_t moves = 48;
+    const MoveStock stock{.most = trial.picks.size(), .harmful = now_.picks};
+    std::vector<Trial> results;
+    for (std::size_t i = 1; i <= moves; ++i) {
+      RandomStream stream = move_stream(ingredients_, trials_.size() + i, 0);
+      if (auto move = moved(ingredients_, trial.picks, stock, stream)) {
+        results.push_back({.stage = "shrink", .parent = trial.number, .change = move->change, .picks = move->picks});
+      }
+    }
+    return results;
+  }
+
   /// Those that can go alone, the least needed first.
   std::vector<Cut> harmless_of(const std::vector<Cut>& cuts, const Picks& picks, double share) {
     std::vector<std::vector<Cut>> single;
@@ -224,17 +262,24 @@ class Shrinking {
     return groups;
   }
 
-  /// What is left of the faults without each of these; known schedules are not tried again.
+  /// What is left of the faults without each of these.
   std::vector<Trial> tried(const std::vector<std::vector<Cut>>& groups, const Picks& picks, double share) {
     std::vector<Trial> results;
-    std::vector<Trial> unknown;
     for (const auto& cuts : groups) {
       results.push_back({.stage = "shrink",
                          .parent = now_.number,
                          .change = words_of(cuts, picks),
                          .picks = tidy(without(picks, cuts, share, ingredients_), ingredients_)});
-      if (find(trials_, results.back().picks) == nullptr && find(unknown, results.back().picks) == nullptr) {
-        unknown.push_back(results.back());
+    }
+    return evaluated(std::move(results));
+  }
+
+  /// The schedules with their harm; known ones are not tried again.
+  std::vector<Trial> evaluated(std::vector<Trial> results) {
+    std::vector<Trial> unknown;
+    for (const Trial& result : results) {
+      if (find(trials_, result.picks) == nullptr && find(unknown, result.picks) == nullptr) {
+        unknown.push_back(result);
         unknown.back().number = trials_.size() + unknown.size();
       }
     }
@@ -268,6 +313,9 @@ class Shrinking {
 Trial shrink(const Ingredients& ingredients, const Trial& found, const std::function<bool(double)>& enough,
              const Harms& harms, std::vector<Trial>& trials) {
   Shrinking shrinking(ingredients, found, enough, harms, trials);
+  do {
+    shrinking.take_away(whole_faults);
+  } while (shrinking.exchange());
   for (const Level& level : coarse) {
     shrinking.take_away(level);
   }

@@ -11,7 +11,8 @@ namespace evbal {
 /// `enough`: faults first, then regions of faults, then minutes at either end and magnitude, by halves, quarters and
 /// eighths of what is left, in whole ticks and whole things, and numbers at least by a twentieth of what their entry
 /// likely gives. First each part alone; of those that can go, as many at once as can, in eighths of them; of faults at
-/// most the best quarter, and then all again. Ends with a schedule from which no single part of these can go. Schedules
+/// most the best quarter, and then all again. Where no fault can go alone, one goes while another changes (moves.hpp),
+/// if one of some changes leaves enough. Ends with a schedule from which no single part of these can go. Schedules
 /// that it tries are added to `trials`. Gives the smallest.
 ///
 /// `enough` must hold of the first harm, and not of that of no faults.

@@ -34,17 +34,12 @@ bool tried(const std::vector<Trial>& trials, const Picks& picks) {
   return std::any_of(trials.begin(), trials.end(), [&](const Trial& trial) { return trial.picks == picks; });
 }
 
-/// Random numbers for a move. The index is one that draws of faults never have.
-RandomStream stream_of(const Ingredients& ingredients, std::size_t number, std::size_t attempt) {
-  return {ingredients.seed, Purpose::fault, {.region = 0, .tick = number, .index = 16 * attempt + 15}};
-}
-
 /// A schedule made from `parent` that was not tried yet, if one is found; else the parent's own.
 Trial child_of(const Ingredients& ingredients, const Trial& parent, const std::vector<Trial>& trials,
                std::size_t number, const MoveStock& stock) {
   constexpr std::size_t attempts = 20;
   for (std::size_t attempt = 0; attempt < attempts; ++attempt) {
-    RandomStream stream = stream_of(ingredients, number, attempt);
+    RandomStream stream = move_stream(ingredients, number, attempt);
     auto move = moved(ingredients, parent.picks, stock, stream);
     if (move && !tried(trials, move->picks)) {
       return {.number = number,

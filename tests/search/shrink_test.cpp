@@ -123,6 +123,32 @@ TEST(Shrink, TriesAgainWhatCouldNotGoBefore) {
   EXPECT_EQ(small.picks.front().fault.duration, 5);
 }
 
+TEST(Shrink, LetsAFaultGoWhileAnotherChanges) {
+  const Ingredients ingredients = testing::ingredients_of(
+      "  - {name: long, type: charger.outage, target: {regions: [3]}, start: \"10:00\",\n"
+      "     duration: {uniform: {min: 30min, max: 2h}}, magnitude: {points: 1}}\n"
+      "  - {name: short, type: process.pause, target: {agent: 1}, start: \"20:00\", duration: 25min}\n",
+      "");
+  const Harms minutes = [](const std::vector<Trial>& trials) {
+    std::vector<double> harms;
+    for (const auto& trial : trials) {
+      double harm = 0.0;
+      for (const auto& pick : trial.picks) {
+        harm += pick.fault.duration;
+      }
+      harms.push_back(harm);
+    }
+    return harms;
+  };
+  Picks picks = random_draws(ingredients, 1).front();
+  picks.front().fault.duration = 70;
+  std::vector<Trial> trials = {{.number = 1, .picks = picks, .harm = 95.0}};
+  const Trial small = shrink(
+      ingredients, trials.front(), [](double harm) { return harm >= 85.5; }, minutes, trials);
+  EXPECT_EQ(small.picks.size(), 1U);
+  EXPECT_GE(small.harm, 85.5);
+}
+
 TEST(Shrink, TakesFaultsAwayBeforeRegions) {
   const Ingredients ingredients = testing::ingredients_of(
       "  - {name: wide, type: charger.outage, target: {regions: [1, 3]}, start: \"10:00\", duration: 5min,\n"
