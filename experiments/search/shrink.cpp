@@ -144,6 +144,14 @@ std::vector<Cut> cuts_of(const Picks& picks, const Level& level) {
   return cuts;
 }
 
+std::vector<std::vector<Cut>> one_each(const std::vector<Cut>& cuts) {
+  std::vector<std::vector<Cut>> single;
+  for (const Cut& cut : cuts) {
+    single.push_back({cut});
+  }
+  return single;
+}
+
 std::string words_of(const std::vector<Cut>& cuts, const Picks& picks) {
   static const std::array<const char*, 5> parts = {"gone", "less region ", "less end", "less start", "less magnitude"};
   std::string text;
@@ -207,11 +215,7 @@ class Shrinking {
 
  private:
   Trial least_needed_away() {
-    std::vector<std::vector<Cut>> single;
-    for (const Cut& cut : cuts_of(now_.picks, whole_faults)) {
-      single.push_back({cut});
-    }
-    return most_harmful(tried(single, now_.picks, 0.0));
+    return most_harmful(tried(one_each(cuts_of(now_.picks, whole_faults)), now_.picks, 0.0));
   }
 
   /// Schedules with as many faults as `trial`, made by moves as those of a search.
@@ -230,12 +234,8 @@ class Shrinking {
 
   /// Those that can go alone, the least needed first.
   std::vector<Cut> harmless_of(const std::vector<Cut>& cuts, const Picks& picks, double share) {
-    std::vector<std::vector<Cut>> single;
-    for (const Cut& cut : cuts) {
-      single.push_back({cut});
-    }
     std::vector<std::pair<double, Cut>> harmless;
-    const std::vector<Trial> alone = tried(single, picks, share);
+    const std::vector<Trial> alone = tried(one_each(cuts), picks, share);
     for (std::size_t i = 0; i < alone.size(); ++i) {
       if (alone[i].picks != now_.picks && enough_(alone[i].harm)) {
         harmless.emplace_back(alone[i].harm, cuts[i]);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,12 +51,19 @@ inline double made_up_harm(const Picks& picks) {
   return harm;
 }
 
+/// The harm of each trial, by that of its schedule.
+inline Harms harms_by(std::function<double(const Picks&)> harm) {
+  return [harm = std::move(harm)](const std::vector<Trial>& trials) {
+    std::vector<double> harms;
+    for (const auto& trial : trials) {
+      harms.push_back(harm(trial.picks));
+    }
+    return harms;
+  };
+}
+
 inline std::vector<double> made_up_harms(const std::vector<Trial>& trials) {
-  std::vector<double> harms;
-  for (const auto& trial : trials) {
-    harms.push_back(made_up_harm(trial.picks));
-  }
-  return harms;
+  return harms_by(made_up_harm)(trials);
 }
 
 }  // namespace evbal::testing

@@ -9,6 +9,7 @@
 namespace evbal {
 namespace {
 
+using testing::harms_by;
 using testing::made_up_harm;
 using testing::made_up_harms;
 using testing::small_ingredients;
@@ -83,16 +84,12 @@ TEST(Shrink, TakesAwayFromFaultsThatLastBeyondTheDay) {
       "  - {name: late, type: charger.outage, target: {regions: [3]}, start: \"23:30\", duration: 10h,\n"
       "     magnitude: {points: 6}}\n",
       "");
-  const Harms one_each = [&](const std::vector<Trial>& trials) {
-    std::vector<double> harms;
-    for (const auto& trial : trials) {
-      for (const auto& pick : trial.picks) {
-        EXPECT_LT(pick.fault.start, ingredients.context.clock.minutes());
-      }
-      harms.push_back(static_cast<double>(trial.picks.size()));
+  const Harms one_each = harms_by([&](const Picks& picks) {
+    for (const auto& pick : picks) {
+      EXPECT_LT(pick.fault.start, ingredients.context.clock.minutes());
     }
-    return harms;
-  };
+    return static_cast<double>(picks.size());
+  });
   std::vector<Trial> trials = {{.number = 1, .picks = random_draws(ingredients, 1).front(), .harm = 1.0}};
   const Trial small = shrink(
       ingredients, trials.front(), [](double harm) { return harm >= 0.9; }, one_each, trials);
@@ -107,15 +104,10 @@ TEST(Shrink, TriesAgainWhatCouldNotGoBefore) {
       "  - {name: other, type: process.pause, target: {agent: 1}, start: \"12:00\", duration: 5min}\n",
       "");
   // The other fault is needed for as long as the long one is long.
-  const Harms harms_of = [](const std::vector<Trial>& trials) {
-    std::vector<double> harms;
-    for (const auto& trial : trials) {
-      const bool has_long = !trial.picks.empty() && trial.picks.front().entry == 0;
-      const bool enough = has_long && (trial.picks.size() == 2 || trial.picks.front().fault.duration <= 60);
-      harms.push_back(enough ? 1.0 : 0.0);
-    }
-    return harms;
-  };
+  const Harms harms_of = harms_by([](const Picks& picks) {
+    const bool has_long = !picks.empty() && picks.front().entry == 0;
+    return has_long && (picks.size() == 2 || picks.front().fault.duration <= 60) ? 1.0 : 0.0;
+  });
   std::vector<Trial> trials = {{.number = 1, .picks = random_draws(ingredients, 1).front(), .harm = 1.0}};
   const Trial small = shrink(
       ingredients, trials.front(), [](double harm) { return harm >= 0.9; }, harms_of, trials);
@@ -129,17 +121,13 @@ TEST(Shrink, LetsAFaultGoWhileAnotherChanges) {
       "     duration: {uniform: {min: 30min, max: 2h}}, magnitude: {points: 1}}\n"
       "  - {name: short, type: process.pause, target: {agent: 1}, start: \"20:00\", duration: 25min}\n",
       "");
-  const Harms minutes = [](const std::vector<Trial>& trials) {
-    std::vector<double> harms;
-    for (const auto& trial : trials) {
-      double harm = 0.0;
-      for (const auto& pick : trial.picks) {
-        harm += pick.fault.duration;
-      }
-      harms.push_back(harm);
+  const Harms minutes = harms_by([](const Picks& picks) {
+    double harm = 0.0;
+    for (const auto& pick : picks) {
+      harm += pick.fault.duration;
     }
-    return harms;
-  };
+    return harm;
+  });
   Picks picks = random_draws(ingredients, 1).front();
   picks.front().fault.duration = 70;
   std::vector<Trial> trials = {{.number = 1, .picks = picks, .harm = 95.0}};
@@ -156,20 +144,16 @@ TEST(Shrink, TakesFaultsAwayBeforeRegions) {
       "  - {name: small, type: process.pause, target: {agent: 1}, start: \"12:00\", duration: 5min}\n",
       "");
   // Region 1 is worth 5 of 100, the small fault 9: one of them may go.
-  const Harms harms_of = [](const std::vector<Trial>& trials) {
-    std::vector<double> harms;
-    for (const auto& trial : trials) {
-      double harm = 0.0;
-      for (const auto& pick : trial.picks) {
-        harm += pick.entry == 1                   ? 9.0
-                : pick.fault.regions.size() == 2  ? 91.0
-                : pick.fault.regions.front() == 3 ? 86.0
-                                                  : 5.0;
-      }
-      harms.push_back(harm);
+  const Harms harms_of = harms_by([](const Picks& picks) {
+    double harm = 0.0;
+    for (const auto& pick : picks) {
+      harm += pick.entry == 1                   ? 9.0
+              : pick.fault.regions.size() == 2  ? 91.0
+              : pick.fault.regions.front() == 3 ? 86.0
+                                                : 5.0;
     }
-    return harms;
-  };
+    return harm;
+  });
   std::vector<Trial> trials = {{.number = 1, .picks = random_draws(ingredients, 1).front(), .harm = 100.0}};
   const Trial small = shrink(
       ingredients, trials.front(), [](double harm) { return harm >= 90.0; }, harms_of, trials);

@@ -1,15 +1,13 @@
 #include "experiments/study/statistics/comparison.hpp"
 
 #include "common/error.hpp"
-#include "tests/support/source_folder.hpp"
+#include "tests/study/r_lines.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <map>
-#include <sstream>
 
 namespace evbal {
 namespace {
@@ -283,15 +281,8 @@ TEST(Comparison, RefusesWhatItCannotAnswer) {
 class ComparisonAgainstR : public ::testing::Test {
  protected:
   ComparisonAgainstR() {
-    std::ifstream file(test::in_source("tests/study/comparison.csv"));
-    for (std::string line; std::getline(file, line);) {
-      std::istringstream cells(line);
-      std::string kind;
-      std::getline(cells, kind, ',');
-      std::vector<double> numbers;
-      for (std::string cell; std::getline(cells, cell, ',');) {
-        numbers.push_back(std::stod(cell));
-      }
+    for (const auto& [kind, line] : test::r_lines("tests/study/comparison.csv")) {
+      const std::vector<double>& numbers = line;
       if (kind == "ref" || kind == "new") {
         const auto whole = [&](std::size_t i) { return std::to_string(static_cast<int>(numbers[i])); };
         days_.push_back(

@@ -2,15 +2,13 @@
 
 #include "experiments/study/statistics/front.hpp"
 #include "experiments/study/statistics/ranks.hpp"
-#include "tests/support/source_folder.hpp"
+#include "tests/study/r_lines.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <map>
-#include <sstream>
 
 namespace evbal {
 namespace {
@@ -19,15 +17,7 @@ namespace {
 class AgainstR : public ::testing::Test {
  protected:
   AgainstR() {
-    std::ifstream file(test::in_source("tests/study/intervals.csv"));
-    for (std::string line; std::getline(file, line);) {
-      std::istringstream cells(line);
-      std::string kind;
-      std::getline(cells, kind, ',');
-      std::vector<double> numbers;
-      for (std::string cell; std::getline(cells, cell, ',');) {
-        numbers.push_back(std::stod(cell));
-      }
+    for (const auto& [kind, numbers] : test::r_lines("tests/study/intervals.csv")) {
       lines_[kind].push_back(numbers);
     }
   }

@@ -20,9 +20,9 @@ struct PlannedDays {
   double seconds = 0.0;  ///< that they took
 
   int left() const { return days - played; }
-  /// That what is left will take; nothing if there is no saying.
-  std::optional<double> to_come() const {
-    return left() == 0 ? std::optional(0.0) : timed > 0 ? std::optional(left() * seconds / timed) : std::nullopt;
+  /// That what is left will take, so many days at a time; nothing if there is no saying.
+  std::optional<double> to_come(int jobs) const {
+    return left() == 0 ? std::optional(0.0) : timed > 0 ? std::optional(left() * seconds / timed / jobs) : std::nullopt;
   }
 };
 
@@ -60,13 +60,13 @@ std::string sweep_plan(const Sweep& sweep, const std::vector<std::string>& keys,
   PlannedDays all;
   std::optional<double> to_come = 0.0;
   for (const PlannedDays& row : planned(sweep, keys, played)) {
-    const auto time = row.to_come();
+    const auto time = row.to_come(jobs);
     table.push_back({row.scenario, row.variant, std::to_string(row.days), std::to_string(row.played),
                      std::to_string(row.left()), row.timed > 0 ? fixed(row.seconds / row.timed, 1) : "",
-                     time ? shown_seconds(*time / jobs) : "not known"});
+                     time_text(time)});
     all.days += row.days;
     all.played += row.played;
-    to_come = to_come && time ? std::optional(*to_come + *time / jobs) : std::nullopt;
+    to_come = to_come && time ? std::optional(*to_come + *time) : std::nullopt;
   }
   return aligned(table, 2) + std::to_string(all.days) + " days, " + std::to_string(all.left()) + " left; with " +
          std::to_string(jobs) + " at a time: " + time_text(to_come) +
