@@ -125,6 +125,31 @@ TEST_F(SweepOfToy, TakesSeveralScenariosAndSeedsOfAVariantsOwn) {
   expect_refused(several + "variants: [{controller: none}]\nscenario: base.yaml\n", 2, "keep one");
 }
 
+TEST_F(SweepOfToy, TakesDaysAndSettingsOfAScenariosOwn) {
+  const std::string head = "schema: 1\nseeds: [1]\nvariants: [{controller: none}]\n";
+  const Sweep sweep = read(head +
+                           "scenarios:\n"
+                           "  one: {file: base.yaml, days: [2024-01-12], settings: {fleet.vehicles: 7}}\n"
+                           "  two: base.yaml\ndays: [2024-01-11, 2024-01-10]\n");
+  ASSERT_EQ(sweep.days.size(), 1U + 2U);
+  EXPECT_EQ(sweep.days[0].day, "2024-01-12");
+  EXPECT_EQ(scenario_of(sweep.days[0]).world.city.fleet.vehicles, 7);
+  EXPECT_EQ(sweep.days[2].day, "2024-01-10");
+  expect_refused(head + "scenarios: {one: {file: base.yaml, days: [2024-01-12]}, two: base.yaml}\n", 4, "has no days");
+  expect_refused(head + "scenarios: {one: {file: base.yaml, days: [2024-01-12], settings: {day: 2024-01-11}}}\n", 4,
+                 "cannot be a setting");
+}
+
+TEST_F(SweepOfToy, TakesWhatWasTunedForAnotherScenario) {
+  write("frozen.yaml", "schema: 1\ntuned: {one: {r: {controller: ratio, settings: {balancing.p_ratio: 20}}}}\n");
+  const std::string head = "schema: 1\nseeds: [1]\ntuned: frozen.yaml\nvariants: [{tuned: r}]\ndays: [2024-01-11]\n";
+  const Sweep sweep = read(head + "scenarios: {one: base.yaml, two: {file: base.yaml, tuned_as: one}}\n");
+  ASSERT_EQ(sweep.days.size(), 2U);
+  EXPECT_EQ(sweep.days[1].scenario, "two");
+  EXPECT_EQ(sweep.days[1].settings.at("balancing.p_ratio"), "20");
+  expect_refused(head + "scenarios: {one: base.yaml, two: base.yaml}\n", 4, "nothing called `r` was tuned");
+}
+
 TEST_F(SweepOfToy, TakesWhatWasTunedForEachScenario) {
   write("frozen.yaml",
         "schema: 1\ntuned:\n"

@@ -113,6 +113,13 @@ TEST_F(TuningOfToy, IsWrittenWhateverScenariosAndSettingsAreCalled) {
   EXPECT_NE(csv.find("\n\"rush: \"\"hour\"\", #1\",ratio,1,"), std::string::npos) << csv;
 }
 
+TEST_F(TuningOfToy, RefusesAScenarioThatTakesWhatWasTunedElsewhere) {
+  std::string text = tuning_head + "candidates: 8\n" + two_variants;
+  const std::string one = "scenario: base.yaml";
+  text.replace(text.find(one), one.size(), "scenarios: {one: {file: base.yaml, tuned_as: two}}");
+  expect_refused(text, 2, "is not tuned itself");
+}
+
 TEST_F(TuningOfToy, MayBeCutShort) {
   const Tuning tuning = read(tuning_head + "candidates: 8\n" + two_variants, true);
   EXPECT_EQ(contests_of(tuning).front().candidates.size(), 4U);

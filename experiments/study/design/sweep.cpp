@@ -175,7 +175,8 @@ Sweep read_sweep(const fs::path& file, const SweepReading& reading) {
   for (auto& variant : variants) {
     variant.seeds.resize(std::min<std::size_t>(variant.seeds.size(), reading.quick ? 1 : variant.seeds.size()));
     for (const auto& name : replications.scenarios()) {
-      const InScenario here = in_scenario(variant, name, tuned);
+      const auto& other = replications.tuned_as(name);
+      const InScenario here = in_scenario(variant, other ? other->text() : name, tuned);
       const auto days = replications.of(name, variant.seeds);
       for (const auto& point : here.points) {
         note_paths(point, sweep.settings);

@@ -69,11 +69,14 @@ Tunable read_tunable(const YamlValue& value) {
   return variant;
 }
 
-/// What is tuned on test days would be told what it is examined on.
-void refuse_test_days(const Replications& replications, const std::vector<YamlValue>& days) {
+/// What is tuned on test days would be told what it is examined on; what was tuned elsewhere is not tuned here.
+void refuse_what_is_not_tuned_on(const Replications& replications) {
   for (const auto& name : replications.scenarios()) {
+    if (const auto& other = replications.tuned_as(name)) {
+      throw other->error("a scenario that takes what was tuned for another one is not tuned itself; leave it out here");
+    }
     const City city = read_scenario(replications.of(name).front().yaml).world.city;
-    for (const auto& day : days) {
+    for (const auto& day : replications.days_of(name)) {
       if (std::find(city.train_days.begin(), city.train_days.end(), day.text()) == city.train_days.end()) {
         throw day.error("`" + day.text() + "` is no training day of " + city.name +
                         did_you_mean(day.text(), city.train_days) + "; tune on its training days only, from " +
@@ -103,7 +106,7 @@ Tuning read_tuning(const std::filesystem::path& file, bool quick) {
   YamlMap map(YamlValue::load(file));
   map.require("schema").integer(1, 1);
   Tuning tuning{.replications = Replications(map)};
-  refuse_test_days(tuning.replications, map.require("days").items());
+  refuse_what_is_not_tuned_on(tuning.replications);
   tuning.objective = read_prices(map.require("objective"));
   tuning.candidates = map.require("candidates").integer(2, 1024);
   tuning.variants = read_variants(map.require("variants"), read_tunable);
