@@ -174,6 +174,22 @@ TEST_F(SweepOfToy, TakesWhatWasTunedForEachScenario) {
   expect_refused(sweep_head + "variants: [{controller: none, factors: {balancing.eta: [2]}}]\n", 5, "give `tuned` too");
 }
 
+TEST_F(SweepOfToy, BoundsItsDaysWithoutFaultsOnceWhoeverControls) {
+  const std::string text =
+      "schema: 1\nscenarios: {one: base.yaml, two: base.yaml}\ndays: [2024-01-11, 2024-01-12]\nseeds: [1, 2]\n"
+      "faults: {own: scenario, calm: none}\nvariants: [{controller: none}, {controller: ratio}]\n";
+  const Sweep sweep = read(text + "bound: {prices: [5, 20], seeds: [2]}\n");
+  const auto days = days_to_bound(sweep, sweep.bound);
+  ASSERT_EQ(days.size(), 4U);
+  EXPECT_EQ(sweep.days[days[1]].scenario, "one");
+  EXPECT_EQ(sweep.days[days[1]].day, "2024-01-12");
+  EXPECT_EQ(sweep.days[days[1]].seed, 2U);
+  EXPECT_EQ(sweep.days[days[1]].faults, "calm");
+  EXPECT_EQ(sweep.days[days[2]].scenario, "two");
+  EXPECT_TRUE(read(text).bound.prices.empty());
+  expect_refused(text + "bound: {prices: [20, 5], seeds: [2]}\n", 7, "prices ascend");
+}
+
 TEST_F(SweepOfToy, MayBeCutShort) {
   write("sweep.yaml",
         "schema: 1\nscenario: base.yaml\ndays: [2024-01-11, 2024-01-12, 2024-01-10]\nseeds: [1, 2]\n"

@@ -8,6 +8,7 @@
 #include "experiments/study/statistics/page_markdown.hpp"
 #include "experiments/study/store/sweep_file.hpp"
 #include "experiments/study/store/sweep_origin.hpp"
+#include "tools/evbal/sweep_bounds.hpp"
 #include "tools/evbal/sweep_plan.hpp"
 #include "tools/evbal/tune_command.hpp"
 
@@ -71,6 +72,7 @@ fs::path sweep(const SweepArguments& arguments) {
   begin_results(folder.file());
   note_origin(folder.file(), origin_of(arguments, file, sweep.days.front()));
   play_shown(sweep, keys, folder, arguments.options);
+  bound_days(sweep, arguments.options);
   write_file(folder.path() / "steps.csv", swept_steps_csv(folder.file()));
   write_file(folder.path() / "days.csv", swept_days_csv(folder.file()));
   if (sweep.page) {

@@ -25,19 +25,6 @@ std::vector<Setting> read_plain_settings(const std::optional<YamlValue>& value) 
   return settings;
 }
 
-void read_bound_wish(const YamlValue& value, BenchmarkPart& part) {
-  YamlMap map(value);
-  const YamlValue prices = map.require("prices");
-  for (const auto& item : distinct_items(prices)) {
-    part.bound_prices.push_back(item.number(1e-3, 1e6));
-  }
-  if (!std::is_sorted(part.bound_prices.begin(), part.bound_prices.end())) {
-    throw prices.error("prices ascend");
-  }
-  part.bound_seeds = read_seeds(map.require("seeds"));
-  map.finish();
-}
-
 BenchmarkPart read_part(const std::string& name, const YamlValue& value) {
   YamlMap map(value);
   const YamlValue scenario = map.require("scenario");
@@ -49,7 +36,7 @@ BenchmarkPart read_part(const std::string& name, const YamlValue& value) {
                      .reference = map.require("reference"),
                      .training = map.require("training")};
   if (const auto bound = map.find("bound")) {
-    read_bound_wish(*bound, part);
+    part.bound = read_bound_wish(*bound);
   }
   map.finish();
   return part;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/command.hpp"
+#include "experiments/study/design/bound_wish.hpp"
 #include "experiments/study/design/variant_settings.hpp"
 
 #include <cstdint>
@@ -27,15 +28,14 @@ struct EntrySettings {
 
 /// One city of a benchmark.
 struct BenchmarkPart {
-  std::string name;                          ///< that no other part has
-  std::filesystem::path scenario;            ///< absolute
-  YamlValue days;                            ///< list, of the test
-  YamlValue seeds;                           ///< list, of the test
-  YamlValue faults;                          ///< map, as in a sweep
-  YamlValue reference;                       ///< map of `controller` and `settings`
-  YamlValue training;                        ///< map of `days`, `seeds` and `faults`
-  std::vector<double> bound_prices{};        ///< km a lost passenger, ascending: points of the bound
-  std::vector<std::uint64_t> bound_seeds{};  ///< of the test that have a bound, on days without faults
+  std::string name;                ///< that no other part has
+  std::filesystem::path scenario;  ///< absolute
+  YamlValue days;                  ///< list, of the test
+  YamlValue seeds;                 ///< list, of the test
+  YamlValue faults;                ///< map, as in a sweep
+  YamlValue reference;             ///< map of `controller` and `settings`
+  YamlValue training;              ///< map of `days`, `seeds` and `faults`
+  BoundWish bound{};               ///< of the days of the test; without prices none
 };
 
 /// A benchmark.

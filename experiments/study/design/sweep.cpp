@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
+#include <tuple>
 
 namespace evbal {
 namespace {
@@ -162,6 +164,7 @@ Sweep read_sweep(const fs::path& file, const SweepReading& reading) {
   std::vector<Variant> variants = read_variants(map.require("variants"), read_variant);
   Replications replications(map);
   const Tuned tuned = tuned_for(map, reading);
+  const auto bound = map.find("bound");
   const auto page = map.find("page");
   map.finish();
   if (reading.quick) {
@@ -169,6 +172,7 @@ Sweep read_sweep(const fs::path& file, const SweepReading& reading) {
   }
 
   Sweep sweep;
+  sweep.bound = bound ? read_bound_wish(*bound) : BoundWish{};
   sweep.page =
       page ? std::optional(read_page(*page, {names_of(variants), replications.scenarios(), replications.faults()}))
            : std::nullopt;
@@ -187,6 +191,21 @@ Sweep read_sweep(const fs::path& file, const SweepReading& reading) {
     }
   }
   return sweep;
+}
+
+std::vector<std::size_t> days_to_bound(const Sweep& sweep, const BoundWish& wish) {
+  std::vector<std::size_t> positions;
+  std::set<std::tuple<std::string, std::string, std::uint64_t>> seen;
+  for (std::size_t i = 0; i < sweep.days.size(); ++i) {
+    const SweptDay& day = sweep.days[i];
+    const bool wanted = std::find(wish.seeds.begin(), wish.seeds.end(), day.seed) != wish.seeds.end() &&
+                        !seen.contains({day.scenario, day.day, day.seed});
+    if (wanted && scenario_of(day).schedule.faults.empty()) {
+      seen.emplace(day.scenario, day.day, day.seed);
+      positions.push_back(i);
+    }
+  }
+  return positions;
 }
 
 fs::path tuning_of(const fs::path& file) {

@@ -2,10 +2,12 @@
 
 #include "common/yaml.hpp"
 #include "experiments/scenario/scenario.hpp"
+#include "experiments/study/design/bound_wish.hpp"
 #include "experiments/study/design/page.hpp"
 #include "experiments/study/design/replications.hpp"
 #include "experiments/study/design/variant_settings.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -34,6 +36,7 @@ struct SweptDay {
 struct Sweep {
   std::vector<std::string> settings;  ///< paths that any variant sets, in the order of the file
   std::vector<SweptDay> days;  ///< at least one; by variant, scenario, settings, faults, day and seed, as in the file
+  BoundWish bound{};           ///< of its days; without prices none
   std::optional<Page> page{};  ///< that it ends with
 };
 
@@ -49,6 +52,10 @@ Sweep read_sweep(const std::filesystem::path& file, const SweepReading& reading 
 
 /// The file with the tuning that a sweep needs first, by its key `tuning`; empty if it needs none.
 std::filesystem::path tuning_of(const std::filesystem::path& file);
+
+/// The days that are to be bounded, by position: the first of each scenario, day and seed among those without faults
+/// and with one of the wish's seeds. Whoever controls, a day has the same bound.
+std::vector<std::size_t> days_to_bound(const Sweep& sweep, const BoundWish& wish);
 
 /// The day of a variant on a replication.
 SweptDay day_of(const Replication& replication, const std::string& variant, const ChosenController& controller,
