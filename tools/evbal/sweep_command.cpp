@@ -8,15 +8,20 @@
 #include "experiments/study/statistics/page_markdown.hpp"
 #include "experiments/study/store/sweep_file.hpp"
 #include "experiments/study/store/sweep_origin.hpp"
+#include "tools/evbal/replayed_days.hpp"
 #include "tools/evbal/sweep_bounds.hpp"
 #include "tools/evbal/sweep_plan.hpp"
 #include "tools/evbal/tune_command.hpp"
 
 #include <CLI/CLI.hpp>
 
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <random>
 
 namespace evbal {
 namespace {
@@ -58,6 +63,16 @@ std::string plan_of(const SweepArguments& arguments) {
   return sweep_plan(sweep, keys_of(sweep), seconds_of_results(folder / sweep_file_name), jobs > 0 ? jobs : cores());
 }
 
+/// Plays some days of a sweep again that has been played.
+std::string replay_of(const SweepArguments& arguments, int count, std::uint64_t seed) {
+  catch_interrupts();
+  const fs::path file = find_study(arguments.sweep);
+  const fs::path folder = folder_of(arguments);
+  const fs::path tuned = tuning_of(file).empty() ? fs::path() : folder / tuned_file_name;
+  const Sweep sweep = read_sweep(file, {arguments.quick, tuned});
+  return replay_days(sweep, folder / sweep_file_name, static_cast<std::size_t>(count), seed, arguments.options) + "\n";
+}
+
 }  // namespace
 
 fs::path sweep(const SweepArguments& arguments) {
@@ -91,9 +106,19 @@ void add_sweep_command(CLI::App& app) {
   command->add_flag("--quick", arguments->quick, "Two days and one seed only, to see every part");
   command->add_flag("--dry-run", *dry_run,
                     "Say what is played and what is left, and how long that will take; play nothing");
+  const auto replay = std::make_shared<int>(0);
+  const auto seed = std::make_shared<std::optional<std::uint64_t>>();
+  command
+      ->add_option("--replay", *replay,
+                   "Play so many of its days again, chosen at random, and compare their digests with those stored")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--seed", *seed, "Choice of these days; otherwise drawn, and told");
   add_playing_options(*command, arguments->options);
-  command->callback([arguments, dry_run] {
-    std::fputs(*dry_run ? plan_of(*arguments).c_str() : (sweep(*arguments).string() + "\n").c_str(), stdout);
+  command->callback([arguments, dry_run, replay, seed] {
+    const std::string text = *dry_run      ? plan_of(*arguments)
+                             : *replay > 0 ? replay_of(*arguments, *replay, *seed ? **seed : std::random_device{}())
+                                           : sweep(*arguments).string() + "\n";
+    std::fputs(text.c_str(), stdout);
   });
 }
 

@@ -8,6 +8,7 @@
 #include "experiments/study/store/sweep_file.hpp"
 #include "tools/evbal/examine.hpp"
 #include "tools/evbal/part_bounds.hpp"
+#include "tools/evbal/replayed_days.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -51,20 +52,6 @@ std::vector<Sweep> sweeps_of(const StudyLine& line, const Benchmark& benchmark, 
     sweeps.push_back(read_sweep(file));
   }
   return sweeps;
-}
-
-/// `count` of 0..all-1, ascending.
-std::vector<std::size_t> choose(std::size_t count, std::size_t all, RandomStream& random) {
-  std::vector<std::size_t> left(all);
-  for (std::size_t i = 0; i < all; ++i) {
-    left[i] = i;
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    std::swap(left[i], left[i + random.below(all - i)]);
-  }
-  left.resize(count);
-  std::sort(left.begin(), left.end());
-  return left;
 }
 
 std::string name_of(const StudiedPart& part, const SweptDay& day) {
@@ -147,7 +134,7 @@ std::string verify_line(const std::string& text, const std::string& place, const
   for (const Sweep& sweep : sweeps) {
     all += sweep.days.size();
   }
-  const std::vector<std::size_t> chosen = choose((all + kOneIn - 1) / kOneIn, all, random);
+  const std::vector<std::size_t> chosen = random_choice((all + kOneIn - 1) / kOneIn, all, random);
   std::size_t before = 0;
   for (std::size_t i = 0; i < sweeps.size(); ++i) {
     std::vector<std::size_t> here;

@@ -30,6 +30,20 @@ int finished(const fs::path& folder) {
   }
 }
 
+TEST(Sweep, SaysWhichDaysComeOutOtherwiseWhenPlayedAgain) {
+  const CommandLine line;
+  ASSERT_EQ(line.evbal("sweep " + small + " --quick --out played --quiet").status, 0);
+  {
+    SQLite::Database database((line.path() / "played" / "sweep.sqlite").string(), SQLite::OPEN_READWRITE, 1000);
+    database.exec("UPDATE results SET digest = 'another' WHERE key = (SELECT key FROM days WHERE run = 2)");
+  }
+  const Ended again = line.evbal("sweep " + small + " --quick --out played --replay 1000 --quiet");
+  EXPECT_EQ(again.status, 1) << again.err;
+  EXPECT_NE(again.err.find("days that came out otherwise:\n"), std::string::npos) << again.err;
+  EXPECT_NE(again.err.find(", not another"), std::string::npos) << again.err;
+  EXPECT_EQ(lines_of(again.err), 2) << again.err;
+}
+
 TEST(Sweep, GoesOnAfterAKillAndGivesTheSameBytesForAnyNumberOfJobs) {
   const CommandLine line;
   const pid_t id = line.start("sweep " + small + " --jobs 2 --out killed");
@@ -58,6 +72,10 @@ TEST(Sweep, GoesOnAfterAKillAndGivesTheSameBytesForAnyNumberOfJobs) {
   const Ended whole = line.evbal("sweep " + small + " --jobs 1 --out whole --quiet");
   ASSERT_EQ(whole.status, 0) << whole.err;
   EXPECT_EQ(whole.err, "");
+  const Ended replayed = line.evbal("sweep " + small + " --out whole --replay 5 --seed 3 --quiet");
+  EXPECT_EQ(replayed.status, 0) << replayed.err;
+  EXPECT_NE(replayed.out.find("played again 5 of 12 days, chosen by seed 3: the same digests"), std::string::npos)
+      << replayed.out;
   const std::string days = text_of(line.path() / "whole" / "days.csv");
   EXPECT_EQ(lines_of(days), 13) << days;
   EXPECT_TRUE(text_of(line.path() / "killed" / "days.csv") == days);
