@@ -5,7 +5,9 @@
 #include "experiments/study/design/study_file.hpp"
 #include "experiments/study/design/tuning.hpp"
 #include "experiments/study/executors/day_keys.hpp"
+#include "experiments/study/statistics/tuning_outcome.hpp"
 #include "experiments/study/store/sweep_file.hpp"
+#include "tools/evbal/console_table.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -43,7 +45,11 @@ fs::path tune(const TuneArguments& arguments) {
     keys = keys_of(round);
   }
   write_file(folder.path() / "candidates.csv", candidates_csv(tuning, contests));
-  write_file(folder.path() / tuned_file_name, tuned_yaml(winners(tuning, contests)));
+  const Tuned tuned = judged_winners(tuning, contests);
+  write_file(folder.path() / tuned_file_name, tuned_yaml(tuned));
+  if (!arguments.options.quiet) {
+    std::fputs(aligned(tuned_rows(tuned), 2).c_str(), stderr);
+  }
   return folder.path() / tuned_file_name;
 }
 

@@ -165,18 +165,19 @@ std::vector<std::string> Replications::faults() const {
   return names;
 }
 
-std::vector<Replication> Replications::of(const std::string& name, const std::vector<std::uint64_t>& own_seeds) const {
+std::vector<PlannedReplication> Replications::of(const std::string& name,
+                                                 const std::vector<std::uint64_t>& own_seeds) const {
   const Scenario& one = scenario(name);
-  std::vector<Replication> replications;
+  std::vector<PlannedReplication> replications;
   for (const auto& faults : faults_) {
     for (const auto& day : one.days) {
       for (const auto seed : own_seeds.empty() ? seeds_ : own_seeds) {
         const YamlValue seed_text = YamlValue::parse(std::to_string(seed), day.file());
-        Replication replication{.scenario = name,
-                                .faults = faults.name,
-                                .day = day.text(),
-                                .seed = seed,
-                                .yaml = one.yaml.with("day", day).with("seed", seed_text)};
+        PlannedReplication replication{.scenario = name,
+                                       .faults = faults.name,
+                                       .day = day.text(),
+                                       .seed = seed,
+                                       .yaml = one.yaml.with("day", day).with("seed", seed_text)};
         replication.yaml = with_faults(replication.yaml, faults.schedule, replication.day, seed);
         replications.push_back(std::move(replication));
       }

@@ -12,7 +12,7 @@
 namespace evbal {
 
 /// A scenario, day, seed and schedule of faults.
-struct Replication {
+struct PlannedReplication {
   std::string scenario;  ///< its name in the file
   std::string faults;    ///< name of the schedule; empty: the scenario's own
   /// ISO 8601.
@@ -40,7 +40,8 @@ class Replications {
 
   /// Those of one of `scenarios`, by faults, day and seed, in the order of the file; with `own_seeds`, if there are
   /// any, in place of the file's. A schedule that leaves something open is drawn anew for every (day, seed).
-  std::vector<Replication> of(const std::string& scenario, const std::vector<std::uint64_t>& own_seeds = {}) const;
+  std::vector<PlannedReplication> of(const std::string& scenario,
+                                     const std::vector<std::uint64_t>& own_seeds = {}) const;
 
   /// Keeps so many of the first days of each scenario, and of the seeds.
   void cut(std::size_t days, std::size_t seeds);

@@ -214,7 +214,7 @@ fs::path tuning_of(const fs::path& file) {
   return tuning ? file.parent_path() / tuning->text() : fs::path();
 }
 
-SweptDay day_of(const Replication& replication, const std::string& variant, const ChosenController& controller,
+SweptDay day_of(const PlannedReplication& replication, const std::string& variant, const ChosenController& controller,
                 const std::vector<Setting>& settings) {
   SweptDay day{.scenario = replication.scenario,
                .variant = variant,

@@ -58,7 +58,7 @@ std::filesystem::path tuning_of(const std::filesystem::path& file);
 std::vector<std::size_t> days_to_bound(const Sweep& sweep, const BoundWish& wish);
 
 /// The day of a variant on a replication.
-SweptDay day_of(const Replication& replication, const std::string& variant, const ChosenController& controller,
+SweptDay day_of(const PlannedReplication& replication, const std::string& variant, const ChosenController& controller,
                 const std::vector<Setting>& settings);
 
 /// The day's scenario: one controller, one process, nothing expected. Throws Error{bad_input}.

@@ -2,6 +2,7 @@
 
 #include "coordinator/planning/settings.hpp"
 #include "experiments/metrics/metrics.hpp"
+#include "experiments/study/design/study_file.hpp"
 
 #include <algorithm>
 #include <array>
@@ -36,6 +37,14 @@ void put(std::vector<Setting>& settings, const Setting& setting) {
   } else {
     *there = setting;
   }
+}
+
+std::string shown_settings(const std::vector<Setting>& settings) {
+  std::string text;
+  for (const auto& [path, value] : settings) {
+    text += (text.empty() ? "" : " ") + path + "=" + shown(value);
+  }
+  return text;
 }
 
 void note_paths(const std::vector<Setting>& settings, std::vector<std::string>& paths) {

@@ -31,6 +31,9 @@ void write_coordinator(YamlWriter& yaml, const Command& coordinator);
 /// Sets `path`, in place of a setting of it that is there.
 void put(std::vector<Setting>& settings, const Setting& setting);
 
+/// `PATH=VALUE`, with spaces between settings.
+std::string shown_settings(const std::vector<Setting>& settings);
+
 /// Appends the paths of `settings` that are not there yet.
 void note_paths(const std::vector<Setting>& settings, std::vector<std::string>& paths);
 

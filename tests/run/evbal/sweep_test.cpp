@@ -19,10 +19,10 @@ long lines_of(const std::string& text) {
   return std::count(text.begin(), text.end(), '\n');
 }
 
-/// Days of a sweep that have their results, 0 while there is no sweep.
-int finished(const fs::path& folder) {
+/// Days of a sweep, or of the tuning in this file, that have their results, 0 while there is no such file.
+int finished(const fs::path& folder, const std::string& file = "sweep.sqlite") {
   try {
-    const SQLite::Database database((folder / "sweep.sqlite").string(), SQLite::OPEN_READONLY, 1000);
+    const SQLite::Database database((folder / file).string(), SQLite::OPEN_READONLY, 1000);
     SQLite::Statement count(database, "SELECT count(*) FROM results");
     return count.executeStep() ? count.getColumn(0).getInt() : 0;
   } catch (const SQLite::Exception&) {
@@ -106,7 +106,8 @@ TEST(Tune, GivesTheSameBytesForAnyNumberOfJobsAndASweepTakesThem) {
   ASSERT_EQ(line.evbal("tune tuning.yaml --jobs 1 --out one --quiet").status, 0);
   EXPECT_EQ(text_of(line.path() / "one" / "tuned.yaml"), text_of(line.path() / "two" / "tuned.yaml"));
   EXPECT_EQ(text_of(line.path() / "one" / "candidates.csv"), text_of(line.path() / "two" / "candidates.csv"));
-  EXPECT_EQ(lines_of(text_of(line.path() / "one" / "candidates.csv")), 7);
+  EXPECT_EQ(lines_of(text_of(line.path() / "one" / "candidates.csv")), 1 + 4 + 2) << "the list has two values";
+  EXPECT_NE(text_of(line.path() / "one" / "tuned.yaml").find("search: {tried: 4, days: "), std::string::npos);
 
   std::ofstream(line.path() / "sweep.yaml") << "schema: 1\nscenario: morning.yaml\nseeds: [1]\ndays: [2024-01-11]\n"
                                                "tuning: tuning.yaml\nvariants: [{tuned: ratio}, {controller: none}]\n";
@@ -117,9 +118,32 @@ TEST(Tune, GivesTheSameBytesForAnyNumberOfJobsAndASweepTakesThem) {
   ASSERT_EQ(swept.status, 0) << swept.err;
   EXPECT_EQ(lines_of(text_of(line.path() / "one" / "days.csv")), 3);
   const Ended again = line.evbal("sweep sweep.yaml --out one");
-  EXPECT_EQ(again.err, "");  // nothing is played twice
+  EXPECT_EQ(lines_of(again.err), 3) << "what was tuned, and no day that is played twice: " << again.err;
   const std::string plan = line.evbal("sweep sweep.yaml --out one --dry-run").out;
   EXPECT_NE(plan.find("2 days, 0 left"), std::string::npos) << plan;
+}
+
+TEST(Tune, GoesOnAfterAKillAndGivesTheSameBytes) {
+  const CommandLine line;
+  std::ofstream(line.path() / "tuning.yaml") << tuning << "days: [2024-01-03, 2024-01-02, 2024-01-01]\n";
+  const Ended whole = line.evbal("tune tuning.yaml --jobs 2 --out whole");
+  ASSERT_EQ(whole.status, 0) << whole.err;
+  EXPECT_NE(whole.err.find("regret at most"), std::string::npos) << whole.err;
+  const int all = finished(line.path() / "whole", "tuning.sqlite");
+  for (const int after : {1, all - 2}) {
+    const std::string out = "killed-" + std::to_string(after);
+    const pid_t id = line.start("tune tuning.yaml --jobs 1 --quiet --out " + out);
+    for (int i = 0; i < 3000 && finished(line.path() / out, "tuning.sqlite") < after; ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    kill(id, SIGKILL);
+    wait_for(id);
+    ASSERT_EQ(line.evbal("tune tuning.yaml --jobs 2 --quiet --out " + out).status, 0);
+    for (const std::string file : {"tuned.yaml", "candidates.csv"}) {
+      EXPECT_EQ(text_of(line.path() / out / file), text_of(line.path() / "whole" / file)) << out;
+    }
+    EXPECT_EQ(finished(line.path() / out, "tuning.sqlite"), all);
+  }
 }
 
 TEST(Tune, LeavesASweepInItsFolderItsOwnDays) {
