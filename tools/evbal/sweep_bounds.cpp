@@ -1,7 +1,6 @@
 #include "tools/evbal/sweep_bounds.hpp"
 
 #include "common/error.hpp"
-#include "common/interrupt.hpp"
 #include "common/workers.hpp"
 #include "experiments/study/executors/play_days.hpp"
 #include "tools/evbal/kept_bound.hpp"
@@ -18,12 +17,7 @@ void bound_days(const Sweep& sweep, const PlayingOptions& options) {
     return;
   }
   const std::vector<std::size_t> days = days_to_bound(sweep, sweep.bound);
-  const auto work = [&](std::size_t i) {
-    kept_bound(scenario_of(sweep.days[i]), sweep.bound.prices, [](const BoundProgress&) {
-      check_interrupt();
-      return false;
-    });
-  };
+  const auto work = [&](std::size_t i) { kept_bound_alone(scenario_of(sweep.days[i]), sweep.bound.prices); };
   std::size_t ended = 0;
   std::string failed;
   work_through(days, options.playing.jobs > 0 ? options.playing.jobs : cores(), work,
