@@ -40,7 +40,7 @@ set(CPACK_DEBIAN_EVBAL_DESCRIPTION
 injected on purpose, and the record shows how each controller did. Begin with: evbal run toy.yaml")
 set(CPACK_DEBIAN_EVBAL_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_EVBAL_PACKAGE_DEPENDS libopenblas0-serial)  # with another BLAS digests may differ
-set(CPACK_DEBIAN_EVBAL_PACKAGE_SUGGESTS "coinor-csdp, evbal-dev, slurm-client")
+set(CPACK_DEBIAN_EVBAL_PACKAGE_SUGGESTS "coinor-csdp, evbal-dev, node-jsdom, nodejs, slurm-client")
 set(CPACK_DEBIAN_DEV_DESCRIPTION
   "Libraries, headers and a CMake package, to build controllers and tools of one's own on evbal.")
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "evbal (= ${PROJECT_VERSION}), ${needed_to_build}")

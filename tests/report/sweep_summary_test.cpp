@@ -68,7 +68,7 @@ TEST(SweepSummary, AsksAtEqualCostWhereTheReferenceHasAFront) {
 TEST(SweepSummary, StandsOnThePage) {
   const SweepContent sweep{.folder = "runs/small",
                            .origin = {"evbal sweep small.yaml", "small.yaml", "schema: 1\n", ""},
-                           .page = "# Small\n",
+                           .page = {{.verdict = "**Small?** Yes.\n"}},
                            .days = 9,
                            .points = swept_points(small_sweep(), small_steps()),
                            .answers = answers(small_sweep(), {"ratio"}, {})};

@@ -37,7 +37,7 @@ std::vector<FinishedDay> three_days() {
 }
 
 std::string page(const std::string& sections) {
-  return page_markdown(read(sections), three_days(), "evbal sweep a.yaml");
+  return page_markdown(read(sections), {three_days()}, "evbal sweep a.yaml");
 }
 
 void expect_in(const std::string& part, const std::string& text) {
@@ -132,7 +132,8 @@ TEST(Page, ComparesFronts) {
   for (const auto& [day, lost] : {std::pair("d1", 50.0), std::pair("d2", 51.0), std::pair("d3", 49.0)}) {
     days.push_back(day_of("new", "2", day, 25, lost - 20.0));
   }
-  const std::string text = page_markdown(read("- {title: One, fronts: {variants: [new], against: [ref]}}\n"), days, "");
+  const std::string text =
+      page_markdown(read("- {title: One, fronts: {variants: [new], against: [ref]}}\n"), {days}, "");
   expect_in("| toy | calm | new | ref | lost | 15.0 .. 20.0 | 135 | 270 | -50.0 % | -49.7 % |",
             text);  // 45.5 of 90.5, from 15 to 20 km
   expect_in("| 3 | 0 | 3 of 6 | 50 % |", text);
@@ -144,7 +145,7 @@ TEST(Page, SaysWhenAnAimIsMissed) {
   const Page asked = read(
       "- {title: One, compare: {variants: [new], against: [ref], metrics: [lost], at: idle_km,"
       " aims: {lost: -49}, primary: {scenario: toy}}}\n");
-  const std::string text = page_markdown(asked, days, "");
+  const std::string text = page_markdown(asked, {days}, "");
   expect_in("Higher: none. No difference is shown: `new` against `ref`, lost, toy calm.\n", text);
   expect_in("missed (", text);
 }
@@ -164,7 +165,7 @@ TEST(Page, PricesDays) {
                                                 "- {title: B, means: {variants: [new], metrics: [objective]}}\n",
                                                 "sweep.yaml"),
                                names);
-  expect_in("| toy | calm | new | 115 ± 4.97 |", page_markdown(asked, three_days(), ""));
+  expect_in("| toy | calm | new | 115 ± 4.97 |", page_markdown(asked, {with_objective(asked, three_days())}, ""));
   EXPECT_THROW(read("- {title: B, means: {variants: [new], metrics: [objective]}}\n"), Error);
   EXPECT_THROW(
       read_page(YamlValue::parse("title: A\nobjective: {served: -1}\nsections: [{title: B}]\n", "sweep.yaml"), names),
@@ -181,7 +182,7 @@ TEST(Page, KeepsItsTablesWhateverScenariosAndFaultsAreCalled) {
   const std::string text = page_markdown(
       read("- {title: A, means: {variants: [new], metrics: [lost]}}\n- {title: B, settings: {variants: [ref]}}\n"
            "- {title: C, compare: {variants: [new], against: [ref], metrics: [lost], at: idle_km}}\n"),
-      days, "");
+      {days}, "");
   expect_in("| rush\\|hour | a\\|b | new | 50.0 ± 2.48 |", text);
   expect_in("| rush\\|hour | ref | ratio | `price` \\[1\\|2\\] |", text);
   expect_in("| rush\\|hour | a\\|b | new | ref | lost |", text);

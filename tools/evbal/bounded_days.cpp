@@ -1,14 +1,14 @@
 #include "tools/evbal/bounded_days.hpp"
 
 #include "common/error.hpp"
+#include "common/interrupt.hpp"
 #include "experiments/bound/bound_file.hpp"
-#include "experiments/study/store/sweep_origin.hpp"
+#include "experiments/study/statistics/comparison.hpp"
 #include "tools/evbal/runs_folder.hpp"
 
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -16,51 +16,45 @@
 namespace evbal {
 namespace {
 
-/// What of a variant's settings may change the bound: all but prices.
-std::map<std::string, std::string> of_the_world(const FinishedDay& day) {
+/// What of a variant's settings may change the bound.
+std::map<std::string, std::string> of_the_world(const SweptDay& day) {
   std::map<std::string, std::string> settings = day.settings;
-  std::erase_if(settings,
-                [](const auto& setting) { return setting.first.starts_with("balancing.") || setting.second.empty(); });
+  std::erase_if(settings, [](const auto& setting) {
+    const std::string& path = setting.first;
+    return path.starts_with("balancing.") || path.starts_with("charging.") || path == "clock.plan_every" ||
+           path == "engine";
+  });
   return settings;
 }
 
-/// The days of a sweep by what bounds them.
-class BoundKeys {
- public:
-  explicit BoundKeys(YamlValue scenario) : scenario_(std::move(scenario)) {}
+/// A scenario, schedule of faults, day and seed.
+using BoundedPlace = std::tuple<std::string, std::string, std::string, std::uint64_t>;
 
-  /// The key of a day's bound. Throws Error{bad_input} if another variant has another one on the same day and seed.
-  const std::string& of(const FinishedDay& day) {
-    const auto [at, is_new] = keys_.emplace(std::tuple(day.day, day.seed, of_the_world(day)), "");
-    if (is_new) {
-      Overrides overrides;
-      overrides.day = day.day;
-      overrides.seed = day.seed;
-      for (const auto& [path, value] : std::get<2>(at->first)) {
-        overrides.settings.push_back(path);
-        overrides.settings.back().append("=").append(value);
-      }
-      const Scenario scenario = read_scenario(scenario_, overrides);
-      if (!scenario.schedule.faults.empty()) {
-        throw bad_input(
-            "--against bound: the sweep's first days have faults, which are drawn anew for each seed; "
-            "bounds are compared with days without");
-      }
-      at->second = bound_key(scenario);
-      const std::string& first = first_.emplace(std::pair(day.day, day.seed), at->second).first->second;
-      if (first != at->second) {
-        throw bad_input("variant `" + day.variant + "` plays another day than others on " + day.day +
-                        ": no one bound holds for all of them");
-      }
+/// The bounds that are kept, by where they hold.
+std::map<BoundedPlace, std::vector<Driving>> corners_by_place(const std::vector<BoundKey>& keys) {
+  std::map<BoundedPlace, std::vector<Driving>> corners;
+  for (const BoundKey& key : keys) {
+    const auto bound = key.key.empty() ? std::nullopt : read_bound(bound_file(bounds_folder(), key.key));
+    if (bound) {
+      corners[{key.scenario, key.faults, key.day, key.seed}] = bound_corners(*bound);
     }
-    return at->second;
   }
+  return corners;
+}
 
- private:
-  YamlValue scenario_;
-  std::map<std::tuple<std::string, std::uint64_t, std::map<std::string, std::string>>, std::string> keys_;
-  std::map<std::pair<std::string, std::uint64_t>, std::string> first_;
-};
+std::vector<FinishedDay> points_of(const std::vector<BoundKey>& keys, const std::vector<FinishedDay>& days) {
+  auto corners = corners_by_place(keys);
+  std::vector<FinishedDay> points;
+  for (const FinishedDay& day : days) {
+    const auto found = corners.find({day.scenario, day.faults, day.day, day.seed});
+    if (found != corners.end()) {
+      const auto of_day = bound_points(found->second, day);
+      points.insert(points.end(), of_day.begin(), of_day.end());
+      corners.erase(found);
+    }
+  }
+  return points;
+}
 
 }  // namespace
 
@@ -75,26 +69,44 @@ std::vector<FinishedDay> bound_points(const std::vector<Driving>& corners, Finis
   return points;
 }
 
-std::vector<FinishedDay> bounded_days(const std::filesystem::path& sweep_file, const std::vector<FinishedDay>& days) {
-  BoundKeys keys(YamlValue::parse(read_origin(sweep_file).scenario, sweep_file.string()));
-  std::set<std::string> seen;
-  std::vector<FinishedDay> bounded;
-  for (const FinishedDay& day : days) {
-    if (day.scenario != days.front().scenario || day.faults != days.front().faults) {
+std::vector<BoundKey> bound_keys_of(const Sweep& sweep) {
+  std::vector<BoundKey> keys;
+  std::map<BoundedPlace, std::size_t> positions;
+  std::map<std::pair<BoundedPlace, std::map<std::string, std::string>>, std::string> known;
+  for (const SweptDay& day : sweep.days) {
+    const BoundedPlace place(day.scenario, day.faults, day.day, day.seed);
+    const auto [at, is_new] = known.emplace(std::pair(place, of_the_world(day)), "");
+    if (!is_new) {
       continue;
     }
-    const std::string& key = keys.of(day);
-    const auto bound = seen.insert(key).second ? read_bound(bound_file(bounds_folder(), key)) : std::nullopt;
-    if (bound) {
-      const auto points = bound_points(bound_corners(*bound), day);
-      bounded.insert(bounded.end(), points.begin(), points.end());
+    at->second = bound_key(scenario_of(day));
+    check_interrupt();
+    const auto [position, is_first] = positions.emplace(place, keys.size());
+    if (is_first) {
+      keys.push_back({day.scenario, day.faults, day.day, day.seed, at->second});
+    } else if (keys[position->second].key != at->second) {
+      keys[position->second].key.clear();
     }
   }
-  if (bounded.empty()) {
-    throw bad_input("no bound is kept in " + bounds_folder().string() +
-                    " for any day of the sweep; compute them with `evbal bound`, day by day and seed by seed");
+  return keys;
+}
+
+std::vector<FinishedDay> kept_bounds(const std::filesystem::path& sweep_file, const std::vector<FinishedDay>& days) {
+  try {
+    return points_of(read_bound_keys(sweep_file), days);
+  } catch (const Error&) {
+    return {};  // why there are none is told to those who ask for them by `evbal compare`
   }
-  return bounded;
+}
+
+std::vector<FinishedDay> bounded_days(const std::filesystem::path& sweep_file, const std::vector<FinishedDay>& days) {
+  const auto points = points_of(read_bound_keys(sweep_file), days);
+  if (points.empty()) {
+    throw bad_input("no bound is kept in " + bounds_folder().string() +
+                    " for any day of the sweep, on which all variants play in the same world; compute them with "
+                    "`evbal bound`, day by day and seed by seed");
+  }
+  return points;
 }
 
 }  // namespace evbal

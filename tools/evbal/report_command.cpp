@@ -3,6 +3,7 @@
 #include "common/error.hpp"
 #include "common/files.hpp"
 #include "tools/evbal/report_content.hpp"
+#include "tools/evbal/study_page.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -21,6 +22,7 @@ struct ReportArguments {
   std::vector<std::string> folders;
   std::vector<std::string> against;
   std::string out;
+  bool figures = false;
 };
 
 /// A run directory itself, or those in a directory of several.
@@ -59,7 +61,20 @@ PageContent content_of(const ReportArguments& arguments) {
   return sweep ? content_on(*sweep, arguments.against, runs) : content_on(runs);
 }
 
+/// Draws the figures of a sweep's page alone.
+fs::path figures(const ReportArguments& arguments) {
+  if (arguments.folders.size() > 1 || !arguments.out.empty() || !arguments.against.empty()) {
+    throw bad_input("--figures: give the directory of one sweep, into which its figures are drawn, and nothing else");
+  }
+  const fs::path folder = arguments.folders.front();
+  return write_study_figures(folder, read_study_page(folder));
+}
+
 void report(const ReportArguments& arguments) {
+  if (arguments.figures) {
+    std::printf("%s\n", figures(arguments).c_str());
+    return;
+  }
   const fs::path folder = arguments.folders.size() == 1 ? arguments.folders.front() : ".";
   const fs::path page = arguments.out.empty() ? folder / "report.html" : fs::path(arguments.out);
   write_file(page, report_page(content_of(arguments)));
@@ -78,6 +93,8 @@ void add_report_command(CLI::App& app) {
   command->add_option("DIR", arguments->folders, "Run directories, directories of them, or a sweep's")->required();
   command->add_option("--against", arguments->against, "Variants of the sweep to compare the others with");
   command->add_option("--out", arguments->out, "The page; otherwise report.html in DIR, or here if there are several");
+  command->add_flag("--figures", arguments->figures,
+                    "Only draw the figures of the sweep's page.md anew, as SVG files in DIR/figures");
   command->callback([arguments] { report(*arguments); });
 }
 

@@ -6,15 +6,15 @@
 #include "experiments/bound/bound_file.hpp"
 #include "experiments/record/paired_run.hpp"
 #include "experiments/scenario/scenario.hpp"
-#include "tools/evbal/bounded_days.hpp"
+#include "experiments/study/store/sweep_folder.hpp"
 #include "tools/evbal/runs_folder.hpp"
+#include "tools/evbal/study_page.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <functional>
 #include <iterator>
-#include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace evbal {
@@ -144,55 +144,40 @@ void add_runs(const std::vector<RecordedRun>& runs, PageContent& content) {
   });
 }
 
-/// The bound of the first days of a sweep, if it is kept for each of them.
-std::optional<SweptBound> swept_bound(const fs::path& file, const std::vector<FinishedDay>& days) {
-  std::vector<FinishedDay> bounded;
-  try {
-    bounded = bounded_days(file, days);
-  } catch (const Error&) {
-    return std::nullopt;  // why there is none is told to those who ask for it by `evbal compare`
-  }
-  const FinishedDay& first = days.front();
-  std::map<std::pair<std::string, std::uint64_t>, std::vector<FrontPoint>> by_day;
-  for (const FinishedDay& day : days) {
-    if (day.scenario == first.scenario && day.faults == first.faults) {
-      by_day[{day.day, day.seed}];
+/// The bound of each scenario and schedule of faults, if it is kept for each of its days.
+std::vector<SweptBound> swept_bounds(const PageDays& days) {
+  std::vector<SweptBound> bounds;
+  std::set<std::pair<std::string, std::string>> seen;
+  for (const FinishedDay& corner : days.bounds) {
+    if (seen.emplace(corner.scenario, corner.faults).second) {
+      bounds.push_back({corner.scenario, corner.faults, mean_bound(days, corner.scenario, corner.faults).front});
     }
   }
-  for (const FinishedDay& corner : bounded) {
-    by_day[{corner.day, corner.seed}].push_back({corner.totals.at("idle_km"), corner.totals.at("lost")});
-  }
-  std::vector<std::vector<FrontPoint>> hulls;
-  for (const auto& [day, corners] : by_day) {
-    if (corners.empty()) {
-      return std::nullopt;
-    }
-    hulls.push_back(lower_hull(corners));
-  }
-  SweptBound bound{first.scenario, first.faults, least_sum(hulls)};
-  for (FrontPoint& corner : bound.corners) {
-    corner.cost /= static_cast<double>(hulls.size());
-    corner.value /= static_cast<double>(hulls.size());
-  }
-  return bound;
+  std::erase_if(bounds, [](const SweptBound& bound) { return bound.corners.empty(); });
+  return bounds;
 }
 
-SweepContent sweep_content(const fs::path& folder, std::vector<std::string> against) {
-  const fs::path file = folder / "sweep.sqlite";
-  const auto days = read_finished(file);
-  const std::string page = text_of_file(folder / "page.md");
-  if (against.empty() && page.empty()) {
+/// What the sweep's page answers; nothing if it has none.
+SweptAnswers swept_answers(const StudyPage& study) {
+  return {study_text(study), study_figures(study.page, study.days, study.primaries)};
+}
+
+SweepContent sweep_content(const fs::path& folder, const StudyPage& study, std::vector<std::string> against) {
+  const fs::path file = folder / sweep_file_name;
+  const auto& days = study.days.days;
+  const bool asked = !study.page.title.empty();
+  if (against.empty() && !study.page.verdict.empty()) {
+    against = study.page.verdict.front().fronts.front().against;
+  } else if (against.empty() && !asked) {
     against.push_back(days.front().variant);
   }
-  const SweepOrigin origin = read_origin(file);
-  const Page asked = page_of(origin.text, days);
   return {.folder = folder.string(),
-          .origin = origin,
-          .page = page,
+          .origin = study.origin,
+          .page = asked ? swept_answers(study) : SweptAnswers{},
           .days = static_cast<int>(days.size()),
           .points = swept_points(days, read_finished_steps(file, hourly_columns)),
-          .answers = answers(days, against, primary_answers(asked, with_objective(asked, days))),
-          .bound = swept_bound(file, days)};
+          .answers = answers(days, against, study.primaries),
+          .bounds = swept_bounds(study.days)};
 }
 
 }  // namespace
@@ -206,9 +191,12 @@ PageContent content_on(const std::vector<RecordedRun>& runs) {
 
 PageContent content_on(const fs::path& folder, const std::vector<std::string>& against,
                        const std::vector<RecordedRun>& runs) {
-  PageContent content{.sweep = sweep_content(folder, against)};
-  content.title = fs::path(content.sweep->origin.file).stem().string();
-  content.subtitle = "A sweep: every variant on the same days, seeds and faults.";
+  const StudyPage study = read_study_page(folder);
+  PageContent content{.sweep = sweep_content(folder, study, against)};
+  content.title = study.page.title.empty() ? fs::path(study.origin.file).stem().string() : study.page.title;
+  if (study.page.verdict.empty()) {
+    content.subtitle = "A sweep: every variant on the same days, seeds and faults.";
+  }
   if (!runs.empty()) {
     add_runs(runs, content);
     return content;

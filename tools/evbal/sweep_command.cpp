@@ -5,10 +5,12 @@
 #include "experiments/study/design/study_file.hpp"
 #include "experiments/study/executors/day_keys.hpp"
 #include "experiments/study/executors/play_days.hpp"
-#include "experiments/study/statistics/page_markdown.hpp"
+#include "experiments/study/store/bound_keys.hpp"
 #include "experiments/study/store/sweep_file.hpp"
 #include "experiments/study/store/sweep_origin.hpp"
+#include "tools/evbal/bounded_days.hpp"
 #include "tools/evbal/replayed_days.hpp"
+#include "tools/evbal/study_page.hpp"
 #include "tools/evbal/sweep_bounds.hpp"
 #include "tools/evbal/sweep_plan.hpp"
 #include "tools/evbal/tune_command.hpp"
@@ -86,13 +88,13 @@ fs::path sweep(const SweepArguments& arguments) {
   }
   begin_results(folder.file());
   note_origin(folder.file(), origin_of(arguments, file, sweep.days.front()));
+  note_bound_keys(folder.file(), bound_keys_of(sweep));
   play_shown(sweep, keys, folder, arguments.options);
   bound_days(sweep, arguments.options);
   write_file(folder.path() / "steps.csv", swept_steps_csv(folder.file()));
   write_file(folder.path() / "days.csv", swept_days_csv(folder.file()));
   if (sweep.page) {
-    write_file(folder.path() / "page.md",
-               page_markdown(*sweep.page, read_finished(folder.file()), command_of(arguments)));
+    write_study_page(folder.path(), read_study_page(folder.path()));
   }
   return folder.path() / "days.csv";
 }

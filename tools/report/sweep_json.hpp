@@ -1,12 +1,13 @@
 #pragma once
 
 #include "experiments/study/statistics/front.hpp"
+#include "experiments/study/statistics/page_markdown.hpp"
+#include "experiments/study/statistics/study_figures.hpp"
 #include "experiments/study/store/sweep_origin.hpp"
 #include "tools/report/sweep_summary.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,15 +21,21 @@ struct SweptBound {
   std::vector<FrontPoint> corners{};  ///< lost passengers by idle km
 };
 
+/// What a sweep was asked, answered.
+struct SweptAnswers {
+  PageText text;                       ///< in its parts
+  std::vector<StudyFigure> figures{};  ///< in their order
+};
+
 /// A sweep's part of a page.
 struct SweepContent {
-  std::string folder;                 ///< of the sweep
-  SweepOrigin origin;                 ///< what it was made from
-  std::string page;                   ///< page.md, empty if there is none
-  int days = 0;                       ///< played, of all points
-  std::vector<SweptPoint> points;     ///< in the order of the sweep
-  std::vector<Answer> answers;        ///< what the variants came to against references
-  std::optional<SweptBound> bound{};  ///< if it is known for all of its days
+  std::string folder;                ///< of the sweep
+  SweepOrigin origin;                ///< what it was made from
+  SweptAnswers page{};               ///< empty if the sweep asks nothing
+  int days = 0;                      ///< played, of all points
+  std::vector<SweptPoint> points;    ///< in the order of the sweep
+  std::vector<Answer> answers;       ///< what the variants came to against references
+  std::vector<SweptBound> bounds{};  ///< of those scenarios and schedules for each of whose days it is known
 };
 
 /// The sweep as the page reads it.

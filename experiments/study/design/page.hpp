@@ -11,13 +11,15 @@
 /// What a sweep is asked, and the page that answers (docs/sweeps.md): text from the file, every number from its days.
 namespace evbal {
 
-/// The one row of a section that decides what it asks, named before its days are played; all others are exploratory.
+/// A row that decides what a section asks, named before its days are played; all others are exploratory.
 struct PrimaryEndpoint {
   std::string scenario;  ///< its name
   std::string faults;    ///< name of the schedule
   std::string variant;   ///< by name
   std::string against;   ///< variant, by name
   std::string metric;    ///< by name
+
+  bool operator==(const PrimaryEndpoint& other) const = default;
 };
 
 /// Variants side by side, paired, each against each reference.
@@ -27,7 +29,7 @@ struct CompareSection {
   std::vector<std::string> metrics;          ///< by name
   std::optional<std::string> at;             ///< metric at whose equal values their fronts are compared
   std::map<std::string, double> aims{};      ///< by metric, in per cent: reached if the difference is as low
-  std::optional<PrimaryEndpoint> primary{};  ///< of a page's section there is one at most
+  std::vector<PrimaryEndpoint> primaries{};  ///< one a scenario, otherwise alike
 };
 
 /// Means over days, with intervals by t.
@@ -60,11 +62,42 @@ struct PageSection {
   std::optional<SettingsSection> settings{};    ///< as tuned
 };
 
+/// What a page is asked before its days are played; the primary endpoints of its comparisons decide.
+struct VerdictQuestion {
+  std::string question;                ///< in words
+  std::vector<CompareSection> fronts;  ///< at least one, each with primary endpoints
+};
+
+/// What a figure shows.
+enum class FigureKind {
+  fronts,    ///< lost passengers against idle km, a panel a scenario, with the bound
+  claims,    ///< the paper's three claims beside what came out here
+  forest,    ///< the primary endpoints with their intervals
+  slopes,    ///< day by day from one variant to another
+  ablation,  ///< several variants against others, with intervals
+  map        ///< one variant against another, a cell a scenario and schedule of faults
+};
+
+/// A figure of a page.
+struct PageFigure {
+  FigureKind kind = FigureKind::fronts;  ///< what it shows
+  std::string caption;                   ///< what there is to see
+  std::vector<std::string> variants{};   ///< by name; none of a forest
+  std::vector<std::string> against{};    ///< variants, by name; none of fronts and of a forest
+  std::vector<std::string> scenarios{};  ///< by name
+  std::vector<std::string> faults{};     ///< names of schedules; one, but for a map
+};
+
 /// A page of answers that a sweep ends with.
 struct Page {
   std::string title;  ///< heading
   /// Markdown.
   std::string text;
+  std::map<std::string, std::string> names{};  ///< words for variants, scenarios and schedules of faults, by their name
+  std::vector<VerdictQuestion> verdict{};      ///< in their order
+  /// Markdown: what was decided after some of the results were known.
+  std::string decided_after{};
+  std::vector<PageFigure> figures{};  ///< in their order
   Prices objective{};                 ///< makes the metric `objective` of each day; empty: there is none
   std::vector<PageSection> sections;  ///< in their order
 };
@@ -79,5 +112,8 @@ struct PageNames {
 /// Reads a sweep's `page`. Throws Error{bad_input} with file, line, reason and what would be right, also if a section
 /// names a variant, scenario or schedule that is not in the sweep.
 Page read_page(const YamlValue& value, const PageNames& names);
+
+/// The words for a variant, scenario or schedule of faults: its name where the page has none.
+std::string words_for(const Page& page, const std::string& name);
 
 }  // namespace evbal

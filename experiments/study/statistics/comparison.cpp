@@ -118,6 +118,7 @@ DayFronts day_fronts(const Sides& sides, const SeedTotals& own, const SeedTotals
 struct Way {
   double gone = 0.0;
   double whole = 0.0;
+  int days = 0;
 };
 
 /// Adds a day's way, over the seeds that have a bound, if the bound reaches to the least cost that both cover.
@@ -134,12 +135,14 @@ void add_way(const Sides& sides, const SeedTotals& own, const SeedTotals& other,
     return;
   }
   way = way.value_or(Way{});
+  ++way->days;
   way->gone += gap->reference - gap->value;
   way->whole += gap->reference - mean_value(bound, gap->from, gap->to);
 }
 
 /// Adds a day to the sums of a row; gives the day's result, if there is one.
-std::optional<double> add_to(Compared& row, const Sides& sides, const DayFronts& day, std::size_t seeds) {
+std::optional<double> add_to(Compared& row, const Sides& sides, const std::string& date, const DayFronts& day,
+                             std::size_t seeds) {
   for (const auto& [settings, sum] : day.settings) {
     ++row.points;
     row.inside += value_at(day.reference, sum.cost) ? 1 : 0;
@@ -156,8 +159,9 @@ std::optional<double> add_to(Compared& row, const Sides& sides, const DayFronts&
   row.covered += gap->covered;
   row.value += gap->value;
   row.reference += gap->reference;
-  return row.relative ? mean_log_ratio(day.front, day.reference, *gap)
-                      : (gap->value - gap->reference) / (sides.adds_up ? count : 1.0);
+  const double divisor = sides.adds_up ? count : 1.0;
+  row.by_day.push_back({date, gap->value / divisor, gap->reference / divisor});
+  return row.relative ? mean_log_ratio(day.front, day.reference, *gap) : (gap->value - gap->reference) / divisor;
 }
 
 /// Sums over days as means, and the days' results as an interval.
@@ -194,7 +198,7 @@ Compared row_of(const Sides& sides) {
     if (day.front.empty() || day.reference.empty()) {
       continue;
     }
-    if (const auto result = add_to(row, sides, day, seeds.size())) {
+    if (const auto result = add_to(row, sides, date, day, seeds.size())) {
       results.push_back({date, *result});
     }
     if (sides.bound != nullptr && sides.bound->days.contains(date)) {
@@ -206,6 +210,7 @@ Compared row_of(const Sides& sides) {
   }
   if (way && way->whole > 0.0) {
     row.way = way->gone / way->whole;
+    row.way_days = way->days;
   }
   return row;
 }

@@ -5,10 +5,10 @@
 #include "experiments/study/statistics/comparison_table.hpp"
 #include "experiments/study/statistics/variant_days.hpp"
 
+#include <algorithm>
+
 namespace evbal {
 namespace {
-
-constexpr double shown_below = 0.05;
 
 /// A row of a section, and the question that it answers.
 struct Answer {
@@ -70,8 +70,8 @@ std::string verdict(const std::vector<PrimaryAnswer>& answers) {
   std::string higher;
   std::string open;
   for (const auto& answer : answers) {
-    const bool shown = answer.row.days > 0 && answer.p_holm < shown_below;
-    std::string& list = !shown ? open : answer.row.difference.mean < 0.0 ? lower : higher;
+    const int side = answer.shown();
+    std::string& list = side == 0 ? open : side < 0 ? lower : higher;
     list += (list.empty() ? "" : "; ") + Answer{answer.question, answer.row}.who();
   }
   const auto or_none = [](const std::string& list) { return list.empty() ? "none" : list; };
@@ -87,7 +87,7 @@ std::string compared(const CompareSection& section, const std::vector<FinishedDa
   const std::size_t left = names.size();
   const Words numbers = comparison_head({.at = section.at}, "value", "reference");
   names.insert(names.end(), numbers.begin(), numbers.end());
-  if (section.primary) {
+  if (!section.primaries.empty()) {
     names.emplace_back("endpoint");
   }
   std::string text = header(names, left);
@@ -95,8 +95,11 @@ std::string compared(const CompareSection& section, const std::vector<FinishedDa
     Words cells = answer.cells();
     const Words more = comparison_cells(answer.row, answer.question);
     cells.insert(cells.end(), more.begin(), more.end());
-    if (section.primary) {
-      cells.emplace_back(is_row_of(*section.primary, answer.question, answer.row) ? "primary" : "");
+    if (!section.primaries.empty()) {
+      const bool primary = std::any_of(section.primaries.begin(), section.primaries.end(), [&](const auto& endpoint) {
+        return is_row_of(endpoint, answer.question, answer.row);
+      });
+      cells.emplace_back(primary ? "primary" : "");
     }
     text += table_row(cells);
   }

@@ -8,6 +8,8 @@
 #include "experiments/study/statistics/primaries.hpp"
 #include "experiments/study/statistics/ranks.hpp"
 #include "experiments/study/statistics/replication.hpp"
+#include "experiments/study/statistics/study_figures.hpp"
+#include "experiments/study/statistics/verdict.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -125,31 +127,82 @@ std::string listed(const std::vector<FinishedDay>& days, const Value& value) {
   return text;
 }
 
-}  // namespace
+/// The box of what was decided after some of the results were known.
+std::string box(const std::string& text) {
+  std::string quoted = "**Decided after results were seen.** " + text;
+  for (std::size_t at = quoted.find('\n'); at != std::string::npos; at = quoted.find('\n', at + 3)) {
+    quoted.replace(at, 1, "\n> ");
+  }
+  return text.empty() ? "" : "> " + quoted + "\n";
+}
 
-std::string page_markdown(const Page& page, std::vector<FinishedDay> days, const std::string& command) {
-  days = with_objective(page, std::move(days));
-  std::string text =
-      "# " + page.title + "\n\n" + page.text + "\n\nMade by\n\n    " + command + "\n\nfrom " +
-      std::to_string(days.size()) +
-      " simulated days. Scenarios: " + listed(days, [](const FinishedDay& day) { return day.scenario; }) +
-      ". Days: " + listed(days, [](const FinishedDay& day) { return day.day; }) +
-      ". Seeds: " + listed(days, [](const FinishedDay& day) { return std::to_string(day.seed); }) +
-      ". Faults: " + listed(days, [](const FinishedDay& day) { return day.faults.empty() ? "own" : day.faults; }) +
-      ".\n";
-  if (std::any_of(page.sections.begin(), page.sections.end(),
-                  [](const PageSection& section) { return section.compare || section.fronts; })) {
-    text += "\n## Primary endpoints\n\n" + primaries(primary_answers(page, days));
+std::string made_from(const std::vector<FinishedDay>& days, const std::string& command) {
+  return "Made by\n\n    " + command + "\n\nfrom " + std::to_string(days.size()) +
+         " simulated days. Scenarios: " + listed(days, [](const FinishedDay& day) { return day.scenario; }) +
+         ". Days: " + listed(days, [](const FinishedDay& day) { return day.day; }) +
+         ". Seeds: " + listed(days, [](const FinishedDay& day) { return std::to_string(day.seed); }) +
+         ". Faults: " + listed(days, [](const FinishedDay& day) { return day.faults.empty() ? "own" : day.faults; }) +
+         ".\n";
+}
+
+std::string table_of(const PageSection& section, const std::vector<FinishedDay>& days) {
+  return (section.compare ? compared(*section.compare, days) : "") +
+         (section.fronts ? compared(*section.fronts, days) : "") + (section.means ? means(*section.means, days) : "") +
+         (section.correlate ? correlated(*section.correlate, days) : "") +
+         (section.settings ? settings(*section.settings, days) : "");
+}
+
+/// Whether the page begins with answers, so that its tables are an appendix.
+bool has_answers(const Page& page) {
+  return !page.verdict.empty() || !page.figures.empty();
+}
+
+std::string tables(const Page& page, const std::vector<FinishedDay>& days, const std::vector<PrimaryAnswer>& answers) {
+  const std::string heading = has_answers(page) ? "\n### " : "\n## ";
+  std::string text = has_answers(page) ? "\n## Appendix: tables\n" : "";
+  if (!page.verdict.empty() || std::any_of(page.sections.begin(), page.sections.end(), [](const PageSection& section) {
+        return section.compare || section.fronts;
+      })) {
+    text += heading + "Primary endpoints\n\n" + primaries(answers);
   }
   for (const auto& section : page.sections) {
-    text += "\n## " + section.title + "\n\n" + section.text + (section.text.empty() ? "" : "\n\n");
-    text += section.compare ? compared(*section.compare, days) : "";
-    text += section.fronts ? compared(*section.fronts, days) : "";
-    text += section.means ? means(*section.means, days) : "";
-    text += section.correlate ? correlated(*section.correlate, days) : "";
-    text += section.settings ? settings(*section.settings, days) : "";
+    text += heading + section.title + "\n\n" + section.text + (section.text.empty() ? "" : "\n\n") +
+            table_of(section, days);
   }
   return text;
+}
+
+std::string figures(const Page& page, const PageDays& days, const std::vector<PrimaryAnswer>& answers) {
+  std::string text;
+  int number = 0;
+  for (const StudyFigure& figure : study_figures(page, days, answers)) {
+    text += "\n![" + markdown_cell(figure.title) + "](figures/" + figure.name + ".svg)\n\n**Figure " +
+            std::to_string(++number) + ".** " + figure.caption + "\n";
+  }
+  return text;
+}
+
+PageText texts(const Page& page, const PageDays& days, const std::string& command,
+               const std::vector<PrimaryAnswer>& answers) {
+  return {.verdict = verdict_text(page, days, answers),
+          .decided_after = box(page.decided_after),
+          .reading = (has_answers(page) ? "\n## How to read it\n\n" : "\n") + page.text +
+                     (page.text.empty() ? "" : "\n\n") + made_from(days.days, command),
+          .tables = tables(page, days.days, answers)};
+}
+
+}  // namespace
+
+PageText page_text(const Page& page, const PageDays& days, const std::string& command) {
+  return texts(page, days, command, primary_answers(page, days.days));
+}
+
+std::string page_markdown(const Page& page, const PageDays& days, const std::string& command) {
+  const auto answers = primary_answers(page, days.days);
+  const PageText text = texts(page, days, command, answers);
+  const auto apart = [](const std::string& part) { return part.empty() ? "" : "\n" + part; };
+  return "# " + page.title + "\n" + apart(text.verdict) + figures(page, days, answers) + apart(text.decided_after) +
+         text.reading + text.tables;
 }
 
 }  // namespace evbal

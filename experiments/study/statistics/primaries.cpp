@@ -4,12 +4,16 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
+#include <utility>
 
 namespace evbal {
 namespace {
 
-PrimaryAnswer answered(const std::string& title, const CompareSection& section, const std::vector<FinishedDay>& days) {
-  const PrimaryEndpoint& primary = *section.primary;
+constexpr double shown_below = 0.05;
+
+PrimaryAnswer answered(const std::string& title, const PrimaryEndpoint& primary, const CompareSection& section,
+                       const std::vector<FinishedDay>& days) {
   PrimaryAnswer answer{.section = title,
                        .question = {.metric = primary.metric, .reference = primary.against, .at = section.at},
                        .row = {.scenario = primary.scenario, .faults = primary.faults, .variant = primary.variant}};
@@ -24,6 +28,39 @@ PrimaryAnswer answered(const std::string& title, const CompareSection& section, 
   }
   return answer;
 }
+
+/// The endpoints of the page's verdict and sections, each once, with what came of it by itself.
+class Answers {
+ public:
+  explicit Answers(const std::vector<FinishedDay>& days) : days_(days) {}
+
+  void add(const std::string& title, const CompareSection& section) {
+    for (const PrimaryEndpoint& primary : section.primaries) {
+      PrimaryAnswer answer = answered(title, primary, section, days_);
+      const bool known = std::any_of(answers_.begin(), answers_.end(), [&](const PrimaryAnswer& other) {
+        return other.question.at == section.at && other.endpoint() == primary;
+      });
+      if (!known) {
+        answers_.push_back(std::move(answer));
+      }
+    }
+  }
+
+  std::vector<PrimaryAnswer> adjusted() && {
+    std::vector<double> p;
+    std::transform(answers_.begin(), answers_.end(), std::back_inserter(p),
+                   [](const PrimaryAnswer& answer) { return answer.row.p; });
+    const std::vector<double> by_holm = holm(p);
+    for (std::size_t i = 0; i < answers_.size(); ++i) {
+      answers_[i].p_holm = by_holm[i];
+    }
+    return std::move(answers_);
+  }
+
+ private:
+  const std::vector<FinishedDay>& days_;
+  std::vector<PrimaryAnswer> answers_{};
+};
 
 template <class Value>
 std::vector<std::string> distinct(const std::vector<FinishedDay>& days, const Value& value) {
@@ -43,9 +80,16 @@ bool is_row_of(const PrimaryEndpoint& primary, const Question& question, const C
          row.variant == primary.variant && question.reference == primary.against && question.metric == primary.metric;
 }
 
+int PrimaryAnswer::shown() const {
+  return row.days == 0 || p_holm >= shown_below ? 0 : row.difference.mean < 0.0 ? -1 : 1;
+}
+
+PrimaryEndpoint PrimaryAnswer::endpoint() const {
+  return {row.scenario, row.faults, row.variant, question.reference, question.metric};
+}
+
 bool PrimaryAnswer::is(const Question& asked, const Compared& other) const {
-  return question.at == asked.at &&
-         is_row_of({row.scenario, row.faults, row.variant, question.reference, question.metric}, asked, other);
+  return question.at == asked.at && is_row_of(endpoint(), asked, other);
 }
 
 std::vector<FinishedDay> with_objective(const Page& page, std::vector<FinishedDay> days) {
@@ -56,21 +100,20 @@ std::vector<FinishedDay> with_objective(const Page& page, std::vector<FinishedDa
 }
 
 std::vector<PrimaryAnswer> primary_answers(const Page& page, const std::vector<FinishedDay>& days) {
-  std::vector<PrimaryAnswer> answers;
-  std::vector<double> p;
+  Answers answers(days);
+  for (const VerdictQuestion& asked : page.verdict) {
+    for (const CompareSection& fronts : asked.fronts) {
+      answers.add(asked.question, fronts);
+    }
+  }
   for (const PageSection& section : page.sections) {
     for (const auto* table : {&section.compare, &section.fronts}) {
-      if (*table && (*table)->primary) {
-        answers.push_back(answered(section.title, **table, days));
-        p.push_back(answers.back().row.p);
+      if (*table) {
+        answers.add(section.title, **table);
       }
     }
   }
-  const std::vector<double> adjusted = holm(p);
-  for (std::size_t i = 0; i < answers.size(); ++i) {
-    answers[i].p_holm = adjusted[i];
-  }
-  return answers;
+  return std::move(answers).adjusted();
 }
 
 Page page_of(const std::string& text, const std::vector<FinishedDay>& days) {

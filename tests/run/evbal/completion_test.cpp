@@ -68,7 +68,7 @@ TEST(Completion, OfOptions) {
   EXPECT_EQ(offered("run toy.yaml --seed 7 --tr"), Words{"--transport"});
   EXPECT_EQ(offered("ingest gps --sta"), Words{"--stations"});
   EXPECT_EQ(offered("--v"), Words{"--version"});
-  EXPECT_EQ(offered("report --"), (Words{"--against", "--help", "--out"}));
+  EXPECT_EQ(offered("report --"), (Words{"--against", "--figures", "--help", "--out"}));
 }
 
 TEST(Completion, OfWhatIsListed) {

@@ -200,8 +200,30 @@ function checkSweep(files) {
     "the hours do not add up to the day");
 }
 
-// `run` and `sweep` are the CSV files that the page must agree with, if it shows such.
-async function checkPage({run, sweep}) {
+// The verdict and the first figure are on the first screen, the tables at the end; a figure's marks lie within it.
+function checkStudy({figures}) {
+  const verdict = document.querySelector(".verdict");
+  const shown = [...document.querySelectorAll(".study figure")];
+  same(shown.length, figures, "figures:");
+  check(verdict.querySelectorAll("strong").length >= 3, "the verdict does not stand out");
+  check(verdict.getBoundingClientRect().top < shown[0].getBoundingClientRect().top, "the verdict is not first");
+  check(shown[0].getBoundingClientRect().bottom <= 900, "the first figure ends at", shown[0].getBoundingClientRect().bottom);
+  const heads = [...document.querySelectorAll("h2, h3")].map(head => head.textContent);
+  check(heads.indexOf("Appendix: tables") > heads.indexOf("Hour by hour"), "the tables are not at the end:", heads);
+  check(heads.indexOf("Day by day") > 0, "days are not shown");
+  for (const card of shown) {
+    const frame = card.querySelector("svg").getBoundingClientRect();
+    for (const mark of card.querySelectorAll("text, path, rect, circle")) {
+      const {left, right, top, bottom} = mark.getBoundingClientRect();
+      check(left >= frame.left - 1 && right <= frame.right + 1 && top >= frame.top - 1 && bottom <= frame.bottom + 1,
+        card.querySelector("h3").textContent, "draws outside of itself:", mark.textContent || mark.getAttribute("d"));
+    }
+  }
+}
+
+// `run` and `sweep` are the CSV files that the page must agree with, if it shows such; `study` says how many figures
+// a sweep's page has.
+async function checkPage({run, sweep, study}) {
   while (document.querySelector(".frame:empty")) {
     await wait(50);
   }
@@ -214,6 +236,9 @@ async function checkPage({run, sweep}) {
     }
     if (sweep) {
       checkSweep(sweep);
+    }
+    if (study) {
+      checkStudy(study);
     }
   } catch (error) {
     failures.push(error.stack);

@@ -67,10 +67,21 @@ TEST(ReportPage, OfASweepShowsTheNumbersOfTheCsv) {
   ASSERT_EQ(ended.status, 0) << ended.err;
   EXPECT_EQ(ended.out, "s/report.html\n");
   const fs::path folder = line.path() / "s";
-  EXPECT_NE(text_of(folder / "report.html").find("\"bound\":{"), std::string::npos);
+  EXPECT_NE(text_of(folder / "report.html").find("\"bounds\":[{"), std::string::npos);
   EXPECT_EQ(checked(folder / "report.html", "{sweep: {days: " + quoted(folder / "days.csv") + "}}", ""), "all hold");
   EXPECT_EQ(line.evbal("report s --against robust").status, 2);
   EXPECT_EQ(line.evbal("report s s").status, 2);
+}
+
+TEST(ReportPage, ShowsTheVerdictAndTheFirstFigureOnTheFirstScreen) {
+  const CommandLine line;
+  ASSERT_EQ(line.evbal("sweep page-small.yaml --quick --quiet --jobs 2 --out s").status, 0);
+  ASSERT_EQ(line.evbal("report s").status, 0);
+  const fs::path folder = line.path() / "s";
+  const std::string files = "{study: {figures: 6}}";
+  EXPECT_EQ(checked(folder / "report.html", files, "--window-size=1280,900"), "all hold");
+  EXPECT_EQ(checked(folder / "report.html", files, "--window-size=1280,900 --blink-settings=preferredColorScheme=0"),
+            "all hold");  // dark
 }
 
 }  // namespace

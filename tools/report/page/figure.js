@@ -3,7 +3,8 @@
 
 // Files know nothing of the page's style: the drawing as an SVG file with all of it written out.
 function svgText(svg) {
-  const properties = ["fill", "fill-opacity", "stroke", "stroke-width", "stroke-dasharray", "font-size", "font-family"];
+  const properties = ["fill", "fill-opacity", "stroke", "stroke-width", "stroke-dasharray", "font-size", "font-family",
+    "font-weight"];
   const copy = svg.cloneNode(true);
   const copies = copy.querySelectorAll("*");
   svg.querySelectorAll("*").forEach((original, i) => {
@@ -24,13 +25,13 @@ function svgText(svg) {
 const fileName = title => title.toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "");
 
 // The card of a drawing; `draw(frame, width)` draws it, anew whenever the width changes or card.redraw() is called;
-// `rows()` are its numbers.
+// `rows()` are its numbers; `note` is a text or a list of texts and elements.
 function drawing(title, note, draw, rows, ...controls) {
   const frame = element("div", "frame");
   const links = element("div", "links",
     download("SVG", fileName(title) + ".svg", "image/svg+xml", () => svgText(frame.querySelector("svg"))),
     download("CSV", fileName(title) + ".csv", "text/csv", () => csvText(rows())));
-  const card = element("figure", "card", element("h3", "", title), element("p", "", note), ...controls, frame, links);
+  const card = element("figure", "card", element("h3", "", title), element("p", "", ...[note].flat()), ...controls, frame, links);
   let drawn = 0;
   card.redraw = () => {
     drawn = Math.round(frame.clientWidth);

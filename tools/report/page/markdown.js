@@ -1,11 +1,14 @@
 "use strict";
 // The answers that a sweep wrote as Markdown: headings, paragraphs, tables, lists and code, which is all it writes.
 
-// Text with `code` and [links](of which the words are kept); a backslash before a mark makes it a character.
+// Text with `code`, **strong** words and [links](of which the words are kept); a backslash before a mark makes it a
+// character.
 function inline(text) {
   const plain = text.replace(/(?<!\\)\[([^\]]*)\]\([^)]*\)/g, "$1");
-  const parts = plain.split(/(?<!\\)`/).map(part => part.replace(/\\([\\`*_[\]<>|#])/g, "$1"));
-  return parts.map((part, i) => i % 2 === 1 ? element("code", "", part) : part);
+  const read = part => part.replace(/\\([\\`*_[\]<>|#])/g, "$1");
+  return plain.split(/(?<!\\)(`[^`]*`|\*\*.+?\*\*)/).map(part =>
+    part.startsWith("**") ? element("strong", "", read(part.slice(2, -2)))
+      : part.startsWith("`") ? element("code", "", read(part.slice(1, -1))) : read(part));
 }
 
 function markdownTable(lines) {
@@ -20,7 +23,7 @@ function markdownBlock(block) {
   const lines = block.split("\n");
   const heading = /^(#+) (.*)/.exec(block);
   if (heading) {
-    return element(heading[1].length === 1 ? "h2" : "h3", "answer", heading[2]);
+    return element(heading[1].length < 3 ? "h2" : "h3", "answer", ...inline(heading[2]));
   }
   if (block.startsWith("|")) {
     return markdownTable(lines);
@@ -28,15 +31,15 @@ function markdownBlock(block) {
   if (block.startsWith("    ")) {
     return element("pre", "", lines.map(line => line.trim()).join("\n"));
   }
+  if (block.startsWith("> ")) {
+    return element("blockquote", "", ...markdownBlocks(lines.map(line => line.replace(/^> ?/, "")).join("\n")));
+  }
   if (block.startsWith("- ")) {
     return element("ul", "", ...lines.map(line => element("li", "", ...inline(line.slice(2)))));
   }
   return element("p", "note", ...inline(lines.join(" ")));
 }
 
-function addAnswers() {
-  const blocks = report.sweep.page.split(/\n\n+/).map(block => block.replace(/^\n+|\n+$/g, "")).filter(Boolean);
-  if (blocks.length > 0) {
-    document.getElementById("page").append(element("section", "", ...blocks.map(markdownBlock)));
-  }
-}
+// The blocks of a text, which stand apart by empty lines.
+const markdownBlocks = text =>
+  text.split(/\n\n+/).map(block => block.replace(/^\n+|\n+$/g, "")).filter(Boolean).map(markdownBlock);

@@ -84,12 +84,15 @@ function chooser(all, chosen, changed) {
     ...all.map((variant, i) => element("label", "", boxes[i], swatch(styleOf(variant)), variant)));
 }
 
-// What no controller is below, as far as the chart reaches.
-function boundSeries(shown) {
-  const {corners} = report.sweep.bound;
+// What no controller is below at this place, as far as the chart reaches; nothing if it is not known.
+function boundSeries(at, shown) {
+  const bound = report.sweep.bounds.find(one => place(one) === place(at));
+  if (bound === undefined) {
+    return [];
+  }
   const farthest = d3.max(shown, point => point.x);
-  return {label: "no controller is below", style: variants().length, bare: true,
-    points: within([...corners, [farthest, corners.at(-1)[1]]], d3.max(shown, point => point.y), farthest)};
+  return [{label: "no controller is below", style: variants().length, bare: true,
+    points: within([...bound.corners, [farthest, bound.corners.at(-1)[1]]], d3.max(shown, point => point.y), farthest)}];
 }
 
 function frontChart(at, y, shown) {
@@ -98,8 +101,8 @@ function frontChart(at, y, shown) {
     points: atPlace(at).filter(point => point.variant === variant)
       .map(point => ({x: point.means.idle_km, y: point.means[y], name: settingsOf(point)})).sort((a, b) => a.x - b.x),
   }));
-  if (y === "lost" && report.sweep.bound && place(report.sweep.bound) === place(at)) {
-    series.push(boundSeries(series.flatMap(({points}) => points)));
+  if (y === "lost") {
+    series.push(...boundSeries(at, series.flatMap(({points}) => points)));
   }
   return {x: {label: "idle km a day"}, y: {label: lower(metricNames[y]) + " a day", fitted: true}, series};
 }
@@ -125,7 +128,8 @@ function addFronts() {
     .map(metric => ({metric, title: "Idle km against " + lower(metricNames[metric])}));
   const several = variants().filter(variant => points().some(point => point.variant === variant && settingsOf(point) !== ""));
   addFigures("Fronts", "Means over days, a line a variant through its settings. Left and below is better: less driving, " +
-    "fewer lost, fairer.", columns, (at, {metric}, shown) => frontChart(at, metric, shown),
+    "fewer lost, fairer. " + (report.sweep.bounds.length === 0 ? "No bound was computed of what is possible."
+    : "No controller can be below the bound, which is drawn where it was computed for each day."), columns, (at, {metric}, shown) => frontChart(at, metric, shown),
     readable(several.length > 0 ? several : variants()));
 }
 
@@ -179,11 +183,21 @@ function addMeans() {
 }
 
 function addSweep() {
+  addVerdict();
+  addStudyFigures();
+  addReading();
+  const appendix = report.sweep.page.verdict !== "" || report.sweep.page.figures.length > 0;
+  if (!appendix) {
+    addTables();
+  }
   addOrigin();
-  addAnswers();
   addPaper();
   addFronts();
   addComparisons();
+  addDays();
   addMeans();
   addSweptHours();
+  if (appendix) {
+    addTables();
+  }
 }
