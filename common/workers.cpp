@@ -1,5 +1,6 @@
 #include "common/workers.hpp"
 
+#include "common/decimal.hpp"
 #include "common/error.hpp"
 #include "common/interrupt.hpp"
 #include "common/spawn.hpp"
@@ -21,6 +22,7 @@ namespace evbal {
 namespace {
 
 using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
 
 [[noreturn]] void work_as_child(pid_t parent, int complaint, const std::function<void()>& work) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -49,6 +51,10 @@ std::string complaint_of(const Pipe& pipe, int status) {
   return length > 0 ? std::string(text.data(), static_cast<std::size_t>(length)) : "its process failed";
 }
 
+std::string too_late(std::chrono::milliseconds longest) {
+  return "took longer than " + decimal(std::chrono::duration<double>(longest).count()) + " s, and was ended";
+}
+
 }  // namespace
 
 Workers::~Workers() {
@@ -71,7 +77,7 @@ void Workers::start(std::size_t job, const std::function<void(std::size_t)>& wor
     throw run_failed(std::string("no process can be started: ") + std::strerror(errno));
   }
   complaint->close_write_end();
-  workers_.push_back({job, id, std::move(complaint)});
+  workers_.push_back({.job = job, .id = id, .complaint = std::move(complaint), .start = Clock::now()});
 }
 
 void Workers::reap(const std::function<void(std::size_t, const std::string&)>& done) {
@@ -82,16 +88,20 @@ void Workers::reap(const std::function<void(std::size_t, const std::string&)>& d
       if (waitpid(worker->id, &status, WNOHANG) == worker->id) {
         const Worker ended = std::move(*worker);
         workers_.erase(worker);
-        done(ended.job, complaint_of(*ended.complaint, status));
+        done(ended.job, ended.late ? too_late(longest_) : complaint_of(*ended.complaint, status));
         return;
+      }
+      if (longest_ > 0ms && !worker->late && Clock::now() - worker->start > longest_) {
+        kill(worker->id, SIGKILL);
+        worker->late = true;
       }
     }
   }
 }
 
 void work_through(const std::vector<std::size_t>& jobs, int at_a_time, const std::function<void(std::size_t)>& work,
-                  const std::function<void(std::size_t, const std::string&)>& done) {
-  Workers workers;
+                  const std::function<void(std::size_t, const std::string&)>& done, std::chrono::milliseconds longest) {
+  Workers workers(longest);
   for (const std::size_t job : jobs) {
     if (workers.count() == static_cast<std::size_t>(at_a_time)) {
       workers.reap(done);

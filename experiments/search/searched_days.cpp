@@ -53,7 +53,7 @@ std::vector<double> SearchedDays::values(const std::vector<Trial>& trials, const
       playing_.on_day_ended(day);
     };
   }
-  play_sweep(sweep, keys, folder_, playing);
+  refuse_failed(play_sweep(sweep, keys, folder_, playing), sweep);
   asked_ += trials.size();
   used_.insert(used_.end(), keys.begin(), keys.end());
   std::vector<double> values;

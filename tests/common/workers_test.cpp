@@ -63,5 +63,15 @@ TEST(Workers, AreEndedIfNobodyWantsThemAnyMore) {
   EXPECT_LT(time(nullptr) - start, 50);
 }
 
+TEST(Workers, AreEndedWhenTheyTakeTooLong) {
+  std::map<std::size_t, std::string> complaints;
+  work_through(
+      {0, 1}, 2, [](std::size_t job) { sleep(job == 0 ? 60 : 0); },
+      [&](std::size_t job, const std::string& complaint) { complaints[job] = complaint; },
+      std::chrono::milliseconds(1500));
+  EXPECT_EQ(complaints.at(0), "took longer than 1.5 s, and was ended");
+  EXPECT_EQ(complaints.at(1), "");
+}
+
 }  // namespace
 }  // namespace evbal

@@ -45,6 +45,7 @@ class FakeSlurm : public ::testing::Test {
     std::iota(all.begin(), all.end(), std::size_t{0});
     const SlurmTasks tasks{.folder = tasks_,
                            .at_a_time = at_a_time,
+                           .task_limit = std::chrono::seconds(90),
                            .task =
                                [](std::size_t i) {
                                  return SlurmTask{"day" + std::to_string(i), "{}\n"};
@@ -119,6 +120,7 @@ TEST_F(FakeSlurm, PlaysNoMoreDaysAtATimeThanAskedForOverAllArrays) {
   const std::string said = said_to("sbatch");
   EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 3) << said;
   EXPECT_EQ(most_at_a_time(said), 7) << said;
+  EXPECT_NE(said.find("--time=1:30 "), std::string::npos) << said;
   EXPECT_EQ(complaints_.size(), 21U);
 }
 

@@ -133,6 +133,36 @@ TEST_F(SweepFileOf3, KeepsHowLongDaysTook) {
   EXPECT_EQ(seconds.at("k3"), std::nullopt);
 }
 
+TEST_F(SweepFileOf3, KeepsWhyDaysFailedUntilTheyArePlayed) {
+  EXPECT_TRUE(failures_in(file_).empty());
+  begin_sweep(file_, small_sweep(), {"k1", "k2", "k3"});
+  EXPECT_EQ(failed_days_csv(file_), "");
+  note_failure(file_, "k2", "no luck");
+  note_failure(file_, "k2", "no\npetrol");
+  note_failure(file_, "k3", "none");
+  add("k3", 30);
+  EXPECT_EQ(failures_in(file_), (std::map<std::string, std::string>{{"k2", "no\npetrol"}}));
+  EXPECT_EQ(failed_days_csv(file_),
+            "run,scenario,variant,controller,faults,day,seed,balancing.p_ratio,x,reason\n"
+            "2,toy,a,ratio,calm,2024-01-11,2,10,,\"no\npetrol\"\n");
+  begin_sweep(file_, small_sweep(), {"k1", "k2", "k3"});
+  EXPECT_EQ(failures_in(file_).size(), 1U) << "whoever goes on knows them";
+  const auto asked_for = read_asked_for(file_);
+  ASSERT_EQ(asked_for.size(), 3U);
+  EXPECT_TRUE(asked_for[1].totals.empty());
+  EXPECT_EQ(asked_for[2].totals.at("lost"), 30.0);
+  add("k2", 20);
+  EXPECT_EQ(failed_days_csv(file_), "");
+}
+
+TEST_F(SweepFileOf3, OfAVersionThatKeptNoFailuresHasNone) {
+  begin_sweep(file_, small_sweep(), {"k1", "k2", "k3"});
+  SQLite::Database(file_.string(), SQLite::OPEN_READWRITE).exec("DROP TABLE failed");
+  EXPECT_TRUE(failures_in(file_).empty());
+  begin_sweep(file_, small_sweep(), {"k1", "k2", "k3"});
+  EXPECT_NO_THROW(note_failure(file_, "k1", "no luck"));
+}
+
 TEST_F(SweepFileOf3, GivesStepsBack) {
   begin_sweep(file_, small_sweep(), {"k1", "k2", "k1"});
   DayResult result = small_result(1);

@@ -96,8 +96,10 @@ PlayedDays played_days(const std::filesystem::path& sweep_file) {
     throw bad_input(sweep_file.string() + ": none of its days is played yet");
   }
   if (!played.missing.empty()) {
-    std::fprintf(stderr, "evbal: %zu of %zu days are played; the others are left out\n", played.days.size(),
-                 played.days.size() + played.missing.size());
+    const std::size_t failed = failures_in(sweep_file).size();
+    std::fprintf(stderr, "evbal: %zu of %zu days are played%s; the others are left out\n", played.days.size(),
+                 played.days.size() + played.missing.size(),
+                 failed > 0 ? (", " + std::to_string(failed) + " failed").c_str() : "");
   }
   return played;
 }

@@ -1,9 +1,13 @@
 #include "tools/evbal/playing_options.hpp"
 
+#include "common/yaml.hpp"
 #include "tools/evbal/study_progress.hpp"
 #include "tools/evbal/usage_error.hpp"
 
 #include <CLI/CLI.hpp>
+
+#include <chrono>
+#include <cmath>
 
 namespace evbal {
 namespace {
@@ -21,16 +25,24 @@ void add_playing_options(CLI::App& command, PlayingOptions& options) {
       ->check(jobs_complaint);
   command.add_option("--executor", playing.executor, "Who plays the days: this machine (local) or job arrays (slurm)")
       ->check(one_of_words({"local", "slurm"}));
+  const auto set_limit = [&playing](const std::string& text) {
+    constexpr double second = 1.0 / 60.0;
+    constexpr double week = 7.0 * 24.0 * 60.0;
+    const double minutes = YamlValue::parse(text, "--day-limit").duration(second, week);
+    playing.day_limit = std::chrono::seconds(std::lround(60.0 * minutes));
+  };
+  command.add_option_function<std::string>("--day-limit", set_limit,
+                                           "End a day that takes longer than this, such as 10min; it has failed then");
   command.add_flag("--quiet", options.quiet, "Without progress");
 }
 
-void play_shown(const Sweep& sweep, const std::vector<std::string>& keys, const SweepFolder& folder,
-                const PlayingOptions& options) {
+std::vector<FailedDay> play_shown(const Sweep& sweep, const std::vector<std::string>& keys, const SweepFolder& folder,
+                                  const PlayingOptions& options) {
   warn_of_other_programs(folder.file(), keys);
   StudyProgress progress(options.quiet);
   Playing playing = options.playing;
   playing.on_day_ended = progress.shown_days();
-  play_sweep(sweep, keys, folder, playing);
+  return play_sweep(sweep, keys, folder, playing);
 }
 
 }  // namespace evbal

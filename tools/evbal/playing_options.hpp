@@ -2,6 +2,9 @@
 
 #include "experiments/study/executors/play_sweep.hpp"
 
+#include <string>
+#include <vector>
+
 namespace CLI {
 class App;
 }
@@ -14,11 +17,12 @@ struct PlayingOptions {
   bool quiet = false;  ///< without progress
 };
 
-/// Adds `--jobs`, `--executor` and `--quiet` to a command.
+/// Adds `--jobs`, `--executor`, `--day-limit` and `--quiet` to a command.
 void add_playing_options(CLI::App& command, PlayingOptions& options);
 
-/// Plays the days as asked for, shows progress, and says which were played by other programs. Throws as play_sweep.
-void play_shown(const Sweep& sweep, const std::vector<std::string>& keys, const SweepFolder& folder,
-                const PlayingOptions& options);
+/// Plays the days as asked for, shows progress, and says which were played by other programs. Gives what play_sweep
+/// gives.
+[[nodiscard]] std::vector<FailedDay> play_shown(const Sweep& sweep, const std::vector<std::string>& keys,
+                                                const SweepFolder& folder, const PlayingOptions& options);
 
 }  // namespace evbal

@@ -50,7 +50,7 @@ std::string replay_days(const Sweep& sweep, const std::filesystem::path& file, s
   }
   const ScratchFolder scratch;
   const SweepFolder folder(scratch.path() / "again", sweep_file_name);
-  play_shown(again, keys_of(again), folder, options);
+  refuse_failed(play_shown(again, keys_of(again), folder, options), again);
   const std::vector<FinishedDay> played = read_finished(folder.file());
   std::string others;
   for (std::size_t i = 0; i < played.size(); ++i) {

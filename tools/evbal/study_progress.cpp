@@ -26,7 +26,10 @@ void StudyProgress::show(const DayEnded& day) {
   const double left = spent / static_cast<double>(shown_) * static_cast<double>(day.all - day.ended);
   line_open_ = isatty(STDERR_FILENO) == 1;
   std::fprintf(stderr, "%s%zu/%zu  %s%s  %s left%s", line_open_ ? "\r\033[K" : "", day.ended, day.all, day.day.c_str(),
-               day.failed ? ": failed" : "", shown_seconds(left).c_str(), line_open_ ? "" : "\n");
+               day.again    ? ": failed, is tried again"
+               : day.failed ? ": failed"
+                            : "",
+               shown_seconds(left).c_str(), line_open_ ? "" : "\n");
 }
 
 void warn_of_other_programs(const std::filesystem::path& file, const std::vector<std::string>& keys) {

@@ -62,7 +62,9 @@ std::string plan_of(const SweepArguments& arguments) {
   }
   const Sweep sweep = read_sweep(file, {arguments.quick, is_tuned ? folder / tuned_file_name : fs::path()});
   const int jobs = arguments.options.playing.jobs;
-  return sweep_plan(sweep, keys_of(sweep), seconds_of_results(folder / sweep_file_name), jobs > 0 ? jobs : cores());
+  const fs::path results = folder / sweep_file_name;
+  return sweep_plan(sweep, keys_of(sweep), seconds_of_results(results), failures_in(results),
+                    jobs > 0 ? jobs : cores());
 }
 
 /// Plays some days of a sweep again that has been played.
@@ -83,16 +85,20 @@ fs::path sweep(const SweepArguments& arguments) {
   const Sweep sweep = read_sweep(file, {arguments.quick, tuned_first(arguments)});
   const std::vector<std::string> keys = keys_of(sweep);
   const SweepFolder folder(folder_of(arguments), sweep_file_name);
-  for (const char* csv : {"days.csv", "steps.csv", "page.md"}) {
+  for (const char* csv : {"days.csv", "steps.csv", "failed.csv", "page.md"}) {
     fs::remove(folder.path() / csv);
   }
   begin_results(folder.file());
   note_origin(folder.file(), origin_of(arguments, file, sweep.days.front()));
   note_bound_keys(folder.file(), bound_keys_of(sweep));
-  play_shown(sweep, keys, folder, arguments.options);
-  bound_days(sweep, arguments.options);
+  const std::vector<FailedDay> failed = play_shown(sweep, keys, folder, arguments.options);
   write_file(folder.path() / "steps.csv", swept_steps_csv(folder.file()));
   write_file(folder.path() / "days.csv", swept_days_csv(folder.file()));
+  if (!failed.empty()) {
+    write_file(folder.path() / "failed.csv", failed_days_csv(folder.file()));
+  }
+  refuse_failed(failed, sweep);
+  bound_days(sweep, arguments.options);
   if (sweep.page) {
     write_study_page(folder.path(), read_study_page(folder.path()));
   }

@@ -16,6 +16,7 @@ struct PlannedDays {
   std::string variant;
   int days = 0;
   int played = 0;
+  int failed = 0;        ///< of those that are left
   int timed = 0;         ///< of these
   double seconds = 0.0;  ///< that they took
 
@@ -27,7 +28,8 @@ struct PlannedDays {
 };
 
 std::vector<PlannedDays> planned(const Sweep& sweep, const std::vector<std::string>& keys,
-                                 const std::map<std::string, std::optional<double>>& played) {
+                                 const std::map<std::string, std::optional<double>>& played,
+                                 const std::map<std::string, std::string>& failed) {
   std::vector<PlannedDays> rows;
   std::map<std::pair<std::string, std::string>, std::size_t> positions;
   for (std::size_t i = 0; i < sweep.days.size(); ++i) {
@@ -38,6 +40,7 @@ std::vector<PlannedDays> planned(const Sweep& sweep, const std::vector<std::stri
     }
     PlannedDays& row = rows[at->second];
     ++row.days;
+    row.failed += failed.contains(keys[i]) ? 1 : 0;
     if (const auto result = played.find(keys[i]); result != played.end()) {
       ++row.played;
       row.timed += result->second ? 1 : 0;
@@ -54,21 +57,24 @@ std::string time_text(const std::optional<double>& seconds) {
 }  // namespace
 
 std::string sweep_plan(const Sweep& sweep, const std::vector<std::string>& keys,
-                       const std::map<std::string, std::optional<double>>& played, int jobs) {
+                       const std::map<std::string, std::optional<double>>& played,
+                       const std::map<std::string, std::string>& failed, int jobs) {
   std::vector<std::vector<std::string>> table = {
-      {"scenario", "variant", "days", "played", "left", "seconds a day", "time left"}};
+      {"scenario", "variant", "days", "played", "left", "failed", "seconds a day", "time left"}};
   PlannedDays all;
   std::optional<double> to_come = 0.0;
-  for (const PlannedDays& row : planned(sweep, keys, played)) {
+  for (const PlannedDays& row : planned(sweep, keys, played, failed)) {
     const auto time = row.to_come(jobs);
     table.push_back({row.scenario, row.variant, std::to_string(row.days), std::to_string(row.played),
-                     std::to_string(row.left()), row.timed > 0 ? fixed(row.seconds / row.timed, 1) : "",
-                     time_text(time)});
+                     std::to_string(row.left()), std::to_string(row.failed),
+                     row.timed > 0 ? fixed(row.seconds / row.timed, 1) : "", time_text(time)});
     all.days += row.days;
     all.played += row.played;
+    all.failed += row.failed;
     to_come = to_come && time ? std::optional(*to_come + *time) : std::nullopt;
   }
-  return aligned(table, 2) + std::to_string(all.days) + " days, " + std::to_string(all.left()) + " left; with " +
+  return aligned(table, 2) + std::to_string(all.days) + " days, " + std::to_string(all.left()) + " left" +
+         (all.failed > 0 ? ", of which " + std::to_string(all.failed) + " failed" : "") + "; with " +
          std::to_string(jobs) + " at a time: " + time_text(to_come) +
          (to_come ? "" : " before a day of each variant is played") + "\n";
 }

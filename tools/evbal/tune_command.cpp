@@ -1,5 +1,6 @@
 #include "tools/evbal/tune_command.hpp"
 
+#include "common/error.hpp"
 #include "common/files.hpp"
 #include "common/interrupt.hpp"
 #include "experiments/study/design/study_file.hpp"
@@ -13,6 +14,8 @@
 
 #include <cstdio>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace evbal {
 namespace {
@@ -27,6 +30,16 @@ void tune_at(TuneArguments arguments) {
   std::printf("%s\n", tune(arguments).c_str());
 }
 
+/// Throws Error{run_failed} if a variant has no candidate of which every day was played.
+void refuse_hopeless(const Tuning& tuning, const std::vector<Contest>& contests, const std::vector<FailedDay>& failed) {
+  for (const auto& contest : contests) {
+    if (!contest.candidates.front().has_played()) {
+      throw run_failed("every candidate of " + tuning.variants[contest.variant].name + " in " + contest.scenario +
+                       " has days that failed; the same command tries them again:" + shown(failed));
+    }
+  }
+}
+
 }  // namespace
 
 fs::path tune(const TuneArguments& arguments) {
@@ -35,9 +48,12 @@ fs::path tune(const TuneArguments& arguments) {
   Sweep round = round_of(tuning, contests);
   std::vector<std::string> keys = keys_of(round);
   const SweepFolder folder(arguments.out, tuning_file_name);
+  std::vector<FailedDay> failed;
   while (true) {
-    play_shown(round, keys, folder, arguments.options);
-    judge_round(tuning, read_finished(folder.file()), contests);
+    const std::vector<FailedDay> failed_now = play_shown(round, keys, folder, arguments.options);
+    failed.insert(failed.end(), failed_now.begin(), failed_now.end());
+    judge_round(tuning, read_asked_for(folder.file()), contests);
+    refuse_hopeless(tuning, contests, failed);
     if (!undecided(contests)) {
       break;
     }
@@ -47,6 +63,10 @@ fs::path tune(const TuneArguments& arguments) {
   write_file(folder.path() / "candidates.csv", candidates_csv(tuning, contests));
   const Tuned tuned = judged_winners(tuning, contests);
   write_file(folder.path() / tuned_file_name, tuned_yaml(tuned));
+  if (!failed.empty()) {
+    std::fprintf(stderr, "evbal: %zu days of the tuning failed twice; a candidate with such a day cannot win:%s\n",
+                 failed.size(), shown(failed).c_str());
+  }
   if (!arguments.options.quiet) {
     std::fputs(aligned(tuned_rows(tuned), 2).c_str(), stderr);
   }

@@ -70,7 +70,7 @@ void check_days(const StudiedPart& part, const Sweep& sweep, const std::vector<s
     return;
   }
   const SweepFolder played(folder, sweep_file_name);
-  play_shown(again, keys_of(again), played, options);
+  refuse_failed(play_shown(again, keys_of(again), played, options), again);
   const std::vector<FinishedDay> days = read_finished(played.file());
   for (std::size_t i = 0; i < days.size(); ++i) {
     const StudiedDay& claimed = part.days[chosen[i]];

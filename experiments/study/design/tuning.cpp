@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -181,6 +182,10 @@ double Candidate::objective() const {
   return std::accumulate(sums.begin(), sums.end(), 0.0) / static_cast<double>(std::max<std::size_t>(1, sums.size()));
 }
 
+bool Candidate::has_played() const {
+  return !sums.empty() && std::isfinite(objective());
+}
+
 std::vector<Contest> contests_of(const Tuning& tuning) {
   std::vector<Contest> contests;
   for (const auto& scenario : tuning.replications.scenarios()) {
@@ -223,11 +228,17 @@ void judge_round(const Tuning& tuning, const std::vector<FinishedDay>& days, std
       contest.candidates[i].sums.clear();
       for (std::size_t j = 0; j < count; ++j) {
         EVBAL_EXPECT(day != days.end(), "every day of the round");
-        contest.candidates[i].sums.push_back(priced(tuning.objective, *day++));
+        contest.candidates[i].sums.push_back(day->totals.empty() ? std::numeric_limits<double>::infinity()
+                                                                 : priced(tuning.objective, *day));
+        ++day;
       }
     }
     std::stable_sort(contest.candidates.begin(), contest.candidates.begin() + static_cast<std::ptrdiff_t>(contest.left),
                      [](const Candidate& a, const Candidate& b) { return a.objective() < b.objective(); });
+    const auto played = std::count_if(contest.candidates.begin(),
+                                      contest.candidates.begin() + static_cast<std::ptrdiff_t>(contest.left),
+                                      [](const Candidate& candidate) { return candidate.has_played(); });
+    contest.left = static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, played));
     go_on(tuning, contest);
   }
   EVBAL_EXPECT(day == days.end(), "no day but the round's");
@@ -260,12 +271,15 @@ std::vector<std::string> edges_of(const Tuning& tuning, const Contest& contest) 
 }
 
 std::string candidates_csv(const Tuning& tuning, const std::vector<Contest>& contests) {
-  std::string csv = "scenario,variant,candidate,round,days,objective,settings\n";
+  std::string csv = "scenario,variant,candidate,round,days,failed,objective,settings\n";
   for (const auto& contest : contests) {
     for (const auto& candidate : contest.candidates) {
-      csv += csv_row({contest.scenario, tuning.variants[contest.variant].name, decimal(candidate.number),
-                      decimal(candidate.round), decimal(candidate.sums.size()), decimal(candidate.objective()),
-                      shown_settings(candidate.settings)});
+      csv +=
+          csv_row({contest.scenario, tuning.variants[contest.variant].name, decimal(candidate.number),
+                   decimal(candidate.round), decimal(candidate.sums.size()),
+                   decimal(std::count_if(candidate.sums.begin(), candidate.sums.end(),
+                                         [](double sum) { return std::isinf(sum); })),
+                   candidate.has_played() ? decimal(candidate.objective()) : "", shown_settings(candidate.settings)});
     }
   }
   return csv;

@@ -52,10 +52,14 @@ struct Candidate {
   int round = 1;                    ///< in which it was new
   std::vector<double> places{};     ///< on each axis: 0 is `from`, 1 is `to`, by the logarithm; or within a list
   std::vector<Setting> settings{};  ///< that it tries
-  std::vector<double> sums{};       ///< objective on each of its days: the first ones of the contest's replications
+  std::vector<double> sums{};       ///< objective on each of its days: the first ones of the contest's replications;
+                                    ///< infinite on a day that failed
 
   /// Mean of `sums`; 0 before any day.
   double objective() const;
+
+  /// Whether it has days, and none of them failed.
+  bool has_played() const;
 };
 
 /// A part of an axis, in places as those of candidates.
@@ -85,7 +89,8 @@ bool undecided(const std::vector<Contest>& contests);
 /// The next round's days, contest by contest and candidate by candidate.
 Sweep round_of(const Tuning& tuning, const std::vector<Contest>& contests);
 
-/// Takes note of a round's days, in the order of round_of, and keeps and adds the candidates of the next round.
+/// Takes note of a round's days, in the order of round_of, of which those that failed have no totals, and keeps and
+/// adds the candidates of the next round.
 void judge_round(const Tuning& tuning, const std::vector<FinishedDay>& days, std::vector<Contest>& contests);
 
 /// The best of each contest.

@@ -11,6 +11,7 @@
 #include "experiments/run/twins.hpp"
 #include "experiments/study/executors/day_keys.hpp"
 #include "experiments/study/executors/play_days.hpp"
+#include "experiments/study/executors/play_sweep.hpp"
 #include "experiments/study/statistics/distribution.hpp"
 #include "experiments/study/store/sweep_file.hpp"
 
@@ -63,10 +64,7 @@ void play(const Draws& draws, const fs::path& folder, const DrawsStage& stage) {
   const auto work = [&](const std::vector<std::size_t>& days, const Done& done) {
     work_through(days, stage.over_bus ? 1 : cores(), play_one, done);
   };
-  const std::string failed = do_days(draws.sweep, draws.keys, file, stage.on_day_ended, work);
-  if (!failed.empty()) {
-    throw run_failed("runs that failed:" + failed);
-  }
+  refuse_failed(do_days(draws.sweep, draws.keys, file, stage.on_day_ended, work), draws.sweep);
 }
 
 std::vector<Drawn> gathered(const std::vector<Run>& runs, const fs::path& folder) {

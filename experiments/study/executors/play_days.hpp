@@ -14,6 +14,7 @@ namespace evbal {
 struct DayEnded {
   std::string day;        ///< variant, settings, faults, date and seed
   bool failed = false;    ///< without a result
+  bool again = false;     ///< failed for the first time, and is tried once more
   std::size_t ended = 0;  ///< days of the sweep that have ended, those of earlier calls among them
   std::size_t all = 0;    ///< days of the sweep
 };
@@ -30,8 +31,18 @@ using Work = std::function<void(const std::vector<std::size_t>&, const Done&)>;
 /// The number of processor cores.
 int cores();
 
-/// Has `work` do the days of a sweep whose keys have no result in `file` yet. Gives a line for each day that failed.
-std::string do_days(const Sweep& sweep, const std::vector<std::string>& keys, const std::filesystem::path& file,
-                    const OnDayEnded& on_day_ended, const Work& work);
+/// A day of a sweep that failed twice.
+struct FailedDay {
+  std::string day;     ///< variant, settings, faults, date and seed
+  std::string reason;  ///< of the second time
+};
+
+/// The days in lines for a message, of many only the first ones.
+std::string shown(const std::vector<FailedDay>& failed);
+
+/// Has `work` do the days of a sweep whose keys have no result in `file` yet, and those that fail once more. Notes
+/// the failures in the file, and gives the days that failed twice, in the order of the sweep.
+std::vector<FailedDay> do_days(const Sweep& sweep, const std::vector<std::string>& keys,
+                               const std::filesystem::path& file, const OnDayEnded& on_day_ended, const Work& work);
 
 }  // namespace evbal

@@ -12,8 +12,8 @@ namespace evbal {
 
 namespace fs = std::filesystem;
 
-void play_sweep(const Sweep& sweep, const std::vector<std::string>& keys, const SweepFolder& folder,
-                const Playing& playing) {
+std::vector<FailedDay> play_sweep(const Sweep& sweep, const std::vector<std::string>& keys, const SweepFolder& folder,
+                                  const Playing& playing) {
   const fs::path& file = folder.file();
   const fs::path tasks = fs::path(file).replace_extension(".slurm");
   const auto merge = [&](const fs::path& result) { merge_result(file, result); };
@@ -30,16 +30,26 @@ void play_sweep(const Sweep& sweep, const std::vector<std::string>& keys, const 
   };
   const auto work = [&](const std::vector<std::size_t>& days, const Done& done) {
     if (playing.executor == "slurm") {
-      work_on_slurm(days, {.folder = tasks, .at_a_time = playing.jobs, .task = task, .merge = merge}, done);
+      work_on_slurm(
+          days,
+          {.folder = tasks, .at_a_time = playing.jobs, .task_limit = playing.day_limit, .task = task, .merge = merge},
+          done);
     } else {
-      work_through(days, playing.jobs > 0 ? playing.jobs : cores(), play, done);
+      work_through(days, playing.jobs > 0 ? playing.jobs : cores(), play, done, playing.day_limit);
     }
   };
-  const std::string failed = do_days(sweep, keys, file, playing.on_day_ended, work);
-  if (!failed.empty()) {
-    throw run_failed("days that failed, to be played by the same command again:" + failed);
+  std::vector<FailedDay> failed = do_days(sweep, keys, file, playing.on_day_ended, work);
+  if (failed.empty()) {
+    fs::remove_all(tasks);
   }
-  fs::remove_all(tasks);
+  return failed;
+}
+
+void refuse_failed(const std::vector<FailedDay>& failed, const Sweep& sweep) {
+  if (!failed.empty()) {
+    throw run_failed(std::to_string(failed.size()) + " of " + std::to_string(sweep.days.size()) +
+                     " days failed twice; the same command tries them again:" + shown(failed));
+  }
 }
 
 }  // namespace evbal

@@ -169,7 +169,7 @@ class Submitted {
     write_file(list_file, list);
     write_file(script, "#!/bin/sh\nname=$(sed -n \"${SLURM_ARRAY_TASK_ID}p\" " + quoted(list_file.string()) +
                            ")\nexec " + quoted((own_folder() / "evbal").string()) + " slurm-task \"$name.yaml\"\n");
-    arrays_.push_back(submitted({script, folder_, days.size(), at_a_time, after}));
+    arrays_.push_back(submitted({script, folder_, days.size(), at_a_time, tasks_.task_limit, after}));
     for (std::size_t i = 0; i < days.size(); ++i) {
       left_[names[i]] = {days[i], arrays_.back(), i + 1};
     }

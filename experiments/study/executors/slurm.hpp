@@ -28,6 +28,7 @@ void pause_unless_interrupted(std::chrono::milliseconds length);
 struct SlurmTasks {
   std::filesystem::path folder;                             ///< of the tasks' files, made if it is missing
   int at_a_time = 0;                                        ///< 0: as many as Slurm likes
+  std::chrono::seconds task_limit{0};                       ///< after which Slurm ends a task; 0: the site's
   std::function<SlurmTask(std::size_t)> task;               ///< by position of the day
   std::function<void(const std::filesystem::path&)> merge;  ///< takes over a file of one result
   Pause pause = pause_unless_interrupted;                   ///< between looks

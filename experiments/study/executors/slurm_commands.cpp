@@ -39,6 +39,10 @@ std::string submit(const JobArray& array) {
                      "--output=%A-%a.log",
                      "--array=1-" + std::to_string(array.tasks) + limit,
                      "--chdir=" + array.folder.string()};
+  if (array.limit > 0s) {
+    command.push_back("--time=" + std::to_string(array.limit.count() / 60) + ":" +
+                      std::to_string(array.limit.count() % 60));
+  }
   if (!array.after.empty()) {
     command.push_back("--dependency=afterany:" + array.after);
   }

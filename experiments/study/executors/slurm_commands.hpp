@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -15,6 +16,7 @@ struct JobArray {
   std::filesystem::path folder;  ///< in which tasks run; each leaves what it prints there, in ID-NUMBER.log
   std::size_t tasks = 0;         ///< of the array
   int at_a_time = 0;             ///< tasks that may run at a time; 0: as many as Slurm likes
+  std::chrono::seconds limit{};  ///< after which a task is ended, in whole minutes as Slurm counts; 0: the site's
   std::string after{};           ///< id of an array that must end before this one begins; empty: none
 };
 

@@ -10,24 +10,31 @@
 namespace evbal {
 namespace {
 
-/// By how much `best` is better than `other`, on the first replications that both played.
-TunedGain gain_over(const Candidate& other, const Candidate& best, const Contest& contest) {
-  const std::size_t both = std::min(other.sums.size(), best.sums.size());
+/// By how much `best` is better than `other`, if there is one, on the first replications that both played.
+TunedGain gain_over(const Candidate* other, const Candidate& best, const Contest& contest) {
+  if (other == nullptr) {
+    return {};
+  }
+  const std::size_t both = std::min(other->sums.size(), best.sums.size());
   std::vector<DayValue> gains;
   for (std::size_t i = 0; i < both; ++i) {
-    gains.push_back({contest.replications[i].day, other.sums[i] - best.sums[i]});
+    gains.push_back({contest.replications[i].day, other->sums[i] - best.sums[i]});
   }
   const Interval interval = t_interval(gains);
   return {static_cast<int>(both), interval.mean, interval.low, interval.high};
 }
 
-/// The best after the first round, in which each of its candidates played as much as the one that played least.
-const Candidate& best_of_first_round(const Contest& contest) {
+/// The best after the first round, in which each of its candidates played as much as the one that played least; no one
+/// if days of all of them failed.
+const Candidate* best_of_first_round(const Contest& contest) {
   std::vector<const Candidate*> first;
   for (const auto& candidate : contest.candidates) {
-    if (candidate.round == 1) {
+    if (candidate.round == 1 && candidate.has_played()) {
       first.push_back(&candidate);
     }
+  }
+  if (first.empty()) {
+    return nullptr;
   }
   const auto days = (*std::min_element(first.begin(), first.end(), [](const auto* a, const auto* b) {
                       return a->sums.size() < b->sums.size();
@@ -35,8 +42,7 @@ const Candidate& best_of_first_round(const Contest& contest) {
   const auto sum = [&](const Candidate& candidate) {
     return std::accumulate(candidate.sums.begin(), candidate.sums.begin() + static_cast<std::ptrdiff_t>(days), 0.0);
   };
-  return **std::min_element(first.begin(), first.end(),
-                            [&](const auto* a, const auto* b) { return sum(*a) < sum(*b); });
+  return *std::min_element(first.begin(), first.end(), [&](const auto* a, const auto* b) { return sum(*a) < sum(*b); });
 }
 
 TuningOutcome outcome_of(const Tuning& tuning, const Contest& contest) {
@@ -48,9 +54,9 @@ TuningOutcome outcome_of(const Tuning& tuning, const Contest& contest) {
   for (const auto& candidate : contest.candidates) {
     outcome.days += static_cast<int>(candidate.sums.size());
   }
-  if (contest.candidates.size() > 1) {
-    outcome.over_second = gain_over(contest.candidates[1], best, contest);
-  }
+  const auto second = std::find_if(contest.candidates.begin() + 1, contest.candidates.end(),
+                                   [](const Candidate& other) { return other.has_played(); });
+  outcome.over_second = gain_over(second == contest.candidates.end() ? nullptr : &*second, best, contest);
   return outcome;
 }
 

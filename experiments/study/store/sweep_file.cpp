@@ -119,12 +119,17 @@ std::string csv(const fs::path& file, const std::string& query) {
   return text;
 }
 
+Row failure_row(const std::string& key, const std::string& reason) {
+  return {{"key", key}, {"reason", reason}};
+}
+
 Row timing_row(const std::string& key, double seconds) {
   return {{"key", key}, {"seconds", seconds}};
 }
 
 void make_tables(SQLite::Database& database) {
   const Table results(database, "results", result_row("", {}));
+  const Table failed(database, "failed", failure_row("", ""));
   const Table timings(database, "timings", timing_row("", 0.0));
   const Table steps(database, "steps", step_row("", {}, {}));
   database.exec("CREATE UNIQUE INDEX IF NOT EXISTS by_key ON results (key)");
@@ -164,6 +169,44 @@ void add_result(const fs::path& file, const std::string& key, const DayClock& cl
     steps.add(step_row(key, clock, step));
   }
   transaction.commit();
+}
+
+void note_failure(const fs::path& file, const std::string& key, const std::string& reason) {
+  SQLite::Database database = open_database(file);
+  SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+  SQLite::Statement before(database, "DELETE FROM failed WHERE key = ?");
+  before.bind(1, key);
+  before.exec();
+  Table(database, "failed", failure_row("", "")).add(failure_row(key, reason));
+  transaction.commit();
+}
+
+std::map<std::string, std::string> failures_in(const fs::path& file) {
+  std::map<std::string, std::string> reasons;
+  if (!fs::exists(file)) {
+    return reasons;
+  }
+  try {
+    const SQLite::Database database = open_database(file);
+    if (!database.tableExists("failed")) {
+      return reasons;
+    }
+    SQLite::Statement row(database, "SELECT key, reason FROM failed WHERE key NOT IN (SELECT key FROM results)");
+    while (row.executeStep()) {
+      reasons[row.getColumn(0).getString()] = row.getColumn(1).getString();
+    }
+    return reasons;
+  } catch (const SQLite::Exception& error) {
+    throw no_sweep(file, error);
+  }
+}
+
+std::string failed_days_csv(const fs::path& file) {
+  if (failures_in(file).empty()) {
+    return "";
+  }
+  return csv(file,
+             "SELECT * FROM days JOIN failed USING (key) WHERE key NOT IN (SELECT key FROM results) ORDER BY run");
 }
 
 void note_seconds(const fs::path& file, const std::string& key, double seconds) {
@@ -248,7 +291,7 @@ std::string swept_steps_csv(const fs::path& file) {
   return csv(file, "SELECT run, steps.* FROM days JOIN steps USING (key) ORDER BY run, step");
 }
 
-PlayedDays read_played(const fs::path& file) try {
+std::vector<FinishedDay> read_asked_for(const fs::path& file) try {
   if (!fs::exists(file)) {
     throw bad_input(file.string() + ": is not there; give a directory that `evbal sweep` wrote");
   }
@@ -258,21 +301,33 @@ PlayedDays read_played(const fs::path& file) try {
   }
   SQLite::Statement rows(database, "SELECT * FROM days LEFT JOIN results USING (key) LEFT JOIN " + after_7_query() +
                                        " USING (key) ORDER BY run");
-  PlayedDays played;
+  std::vector<FinishedDay> days;
   while (rows.executeStep()) {
-    if (!rows.getColumn("digest").isNull()) {
-      played.days.push_back(finished_day(rows));
+    days.push_back(finished_day(rows));
+    if (rows.getColumn("digest").isNull()) {
+      days.back().totals.clear();
+    }
+  }
+  return days;
+} catch (const SQLite::Exception& error) {
+  throw no_sweep(file, error);
+}
+
+PlayedDays read_played(const fs::path& file) {
+  PlayedDays played;
+  std::size_t run = 0;
+  for (auto& day : read_asked_for(file)) {
+    ++run;
+    if (!day.totals.empty()) {
+      played.days.push_back(std::move(day));
       continue;
     }
     if (played.missing.empty()) {
-      played.first_missing = rows.getColumn("run").getString();
+      played.first_missing = std::to_string(run);
     }
-    played.missing.push_back(finished_day(rows));
-    played.missing.back().totals.clear();
+    played.missing.push_back(std::move(day));
   }
   return played;
-} catch (const SQLite::Exception& error) {
-  throw no_sweep(file, error);
 }
 
 std::vector<FinishedDay> read_finished(const fs::path& file) {

@@ -19,6 +19,7 @@
 ///               path, key
 ///     results   a row a finished day: key, the totals by the names of metrics/columns.hpp, fallbacks, program, digest
 ///     steps     a row a step of a finished day: key, start, the columns of steps.csv
+///     failed    a row a day that failed when it was played last: key, reason
 ///     timings   a row a finished day: key, seconds that it took; of no result
 ///     origin    what the sweep is made from (sweep_origin.hpp)
 ///
@@ -36,6 +37,16 @@ std::set<std::string> begin_sweep(const std::filesystem::path& file, const Sweep
 /// Adds a day, whole or not at all, durably.
 void add_result(const std::filesystem::path& file, const std::string& key, const DayClock& clock,
                 const DayResult& result);
+
+/// Notes why a day failed, in place of why it failed before. It counts as long as the day has no result.
+void note_failure(const std::filesystem::path& file, const std::string& key, const std::string& reason);
+
+/// By key why days without a result failed; none if there is no file. Throws Error{bad_input} as begin_sweep.
+std::map<std::string, std::string> failures_in(const std::filesystem::path& file);
+
+/// failed.csv: a row a day of the sweep that failed and has no result, with its settings and the reason, by `run`;
+/// empty if there is none.
+std::string failed_days_csv(const std::filesystem::path& file);
 
 /// Notes how long the playing of a day took, to foresee how long others will.
 void note_seconds(const std::filesystem::path& file, const std::string& key, double seconds);
@@ -77,6 +88,10 @@ struct PlayedDays {
 
 /// The days of a sweep that have their results, which may go on. Throws Error{bad_input} if there is no such file.
 PlayedDays read_played(const std::filesystem::path& file);
+
+/// The days that were asked for, by `run`, with their results; those that have none have no totals. Throws
+/// Error{bad_input} if there is no such file.
+std::vector<FinishedDay> read_asked_for(const std::filesystem::path& file);
 
 /// The days that were asked for with their results, by `run`. Throws Error{bad_input} if there is no such file, or a
 /// day has no result.
