@@ -1,8 +1,14 @@
 #include "tools/report/report.hpp"
 
 #include "common/error.hpp"
+#include "tools/report/assets.hpp"
 
 #include <gtest/gtest.h>
+
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
 
 namespace evbal {
 namespace {
@@ -81,6 +87,19 @@ TEST(Report, DrawsRegionsOnAPlane) {
   EXPECT_NE(page.find("\"regions\":[0],\"acts\":[[1,0]],\"said_minutes\":10,\"seen_minutes\":5"), std::string::npos);
   run.regions = 2;
   EXPECT_EQ(report_page({.runs = {run}, .map = city_map({region})}).find("\"map\":"), std::string::npos);
+}
+
+TEST(Report, NamesEachThingOfItsScriptsOnce) {
+  std::istringstream lines(page_js);
+  std::set<std::string> names;
+  const std::regex definition("^(?:(?:async )?function|const|let) (\\w+).*");
+  std::smatch match;
+  for (std::string line; std::getline(lines, line);) {
+    if (std::regex_match(line, match, definition)) {
+      EXPECT_TRUE(names.insert(match[1]).second) << match[1] << " is defined twice, and the later one stands";
+    }
+  }
+  EXPECT_GT(names.size(), 100U);
 }
 
 TEST(Report, NeedsNothingButItself) {

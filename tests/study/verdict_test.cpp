@@ -84,6 +84,8 @@ TEST(Verdict, SaysWhereNothingCouldBeCompared) {
                "**Does it pay? In part: better in Aville; not answered in Btown.** Passengers lost at equal kilometres "
                "driven empty, our planner against the rival: Aville −49.8 % (−52.2 to −47.2 %).\n\n");
   expect_begin(verdict(asking("b, c"), {days}), "**Does it pay? Not answered.**\n\n");
+  add_city(days, "c", unclear);
+  expect_begin(verdict(asking("b, c"), {days}), "**Does it pay? Not shown in c; not answered in Btown.** ");
 }
 
 TEST(Verdict, DependsOnAllPrimaryEndpointsOfThePage) {

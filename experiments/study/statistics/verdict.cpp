@@ -41,6 +41,13 @@ std::string with_number(double value, int digits, bool sign) {
   return text.front() == '-' ? "−" + text.substr(1) : text;
 }
 
+std::string capitalised(std::string text) {
+  if (!text.empty() && text.front() >= 'a' && text.front() <= 'z') {
+    text.front() = static_cast<char>(text.front() - 'a' + 'A');
+  }
+  return text;
+}
+
 /// What the answers to one question have in common, and what each is told by.
 class Told {
  public:
@@ -104,20 +111,13 @@ struct Sorted {
           std::pair("not answered in ", &unanswered)}) {
       text += places->empty() ? "" : (text.empty() ? "" : "; ") + (words + enumerated(*places));
     }
-    return first + ": " + text + ".";
+    return (better.empty() && worse.empty() ? capitalised(text) : first + ": " + text) + ".";
   }
 };
 
 std::string asked_words(const Question& question) {
   return question.metric == "idle_km" ? "Kilometres driven empty at equally many lost passengers"
                                       : "Passengers lost at equal kilometres driven empty";
-}
-
-std::string capitalised(std::string text) {
-  if (!text.empty() && text.front() >= 'a' && text.front() <= 'z') {
-    text.front() = static_cast<char>(text.front() - 'a' + 'A');
-  }
-  return text;
 }
 
 /// A question's answer. `said` is what the one before told, which is not told again.

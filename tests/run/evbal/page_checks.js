@@ -212,6 +212,7 @@ function checkStudy({figures}) {
   check(heads.indexOf("Appendix: tables") > heads.indexOf("Hour by hour"), "the tables are not at the end:", heads);
   check(heads.indexOf("Day by day") > 0, "days are not shown");
   for (const card of shown) {
+    check(card.querySelectorAll("svg text").length > 5, card.querySelector("h3").textContent, "shows nothing");
     const frame = card.querySelector("svg").getBoundingClientRect();
     for (const mark of card.querySelectorAll("text, path, rect, circle")) {
       const {left, right, top, bottom} = mark.getBoundingClientRect();

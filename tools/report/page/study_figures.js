@@ -7,7 +7,7 @@ const studyKinds = {
   forest: {draw: drawForest, rows: forestRows},
   slopes: {draw: drawSlopes, rows: slopeRows},
   ablation: {draw: drawForest, rows: forestRows},
-  map: {draw: drawMap, rows: forestRows},
+  map: {draw: drawHeatMap, rows: forestRows},
 };
 const studyRows = figure => studyKinds[figure.kind].rows(figure);
 

@@ -1,7 +1,7 @@
 "use strict";
 // Fronts: lost passengers against km driven empty, a panel a scenario, a line a variant, the bound below them.
 
-const boundName = "bound: nobody can be below, even if told the whole day beforehand";
+const boundName = "bound: no planner can be below it";
 
 // The part of a falling line of points that lies within the panel, drawn on to its right edge.
 function clipped(points, {x, y}) {

@@ -17,7 +17,7 @@ function drawCell(svg, row, x, y, width, height, most, ink) {
   write(svg, rangeWords(row.difference), x + width / 2, y + 36, {...middle, size: 11, fill: side === 0 ? ink.soft : ink.ink});
 }
 
-function drawMap(svg, {groups}, width, ink) {
+function drawHeatMap(svg, {groups}, width, ink) {
   const columns = groups[0].rows.map(row => row.name);
   const names = Math.min(0.3 * width, 16 + d3.max(groups, group => textWidth(group.title)));
   const cell = {width: Math.min(190, (width - names - 8) / columns.length), height: 46};

@@ -128,7 +128,7 @@ function addFronts() {
     .map(metric => ({metric, title: "Idle km against " + lower(metricNames[metric])}));
   const several = variants().filter(variant => points().some(point => point.variant === variant && settingsOf(point) !== ""));
   addFigures("Fronts", "Means over days, a line a variant through its settings. Left and below is better: less driving, " +
-    "fewer lost, fairer. " + (report.sweep.bounds.length === 0 ? "No bound was computed of what is possible."
+    "fewer lost, fairer. " + (report.sweep.bounds.length === 0 ? "The bound of what is possible is not drawn: it was not computed for each day."
     : "No controller can be below the bound, which is drawn where it was computed for each day."), columns, (at, {metric}, shown) => frontChart(at, metric, shown),
     readable(several.length > 0 ? several : variants()));
 }
