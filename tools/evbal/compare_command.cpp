@@ -11,6 +11,7 @@
 #include "tools/evbal/bounded_days.hpp"
 #include "tools/evbal/compared_csv.hpp"
 #include "tools/evbal/console_table.hpp"
+#include "tools/evbal/filter_options.hpp"
 #include "tools/evbal/json_output.hpp"
 
 #include <CLI/CLI.hpp>
@@ -75,6 +76,7 @@ struct CompareArguments {
   bool room = false;
   bool json = false;
   bool csv = false;
+  DayFilter filter;
 
   Question against_one(const std::string& reference) const {
     Question asked = question;
@@ -86,6 +88,18 @@ struct CompareArguments {
       asked.at = "idle_km";
     }
     return asked;
+  }
+
+  /// What is asked for of these days; the variants that others are held against are always there.
+  std::vector<FinishedDay> chosen(const std::vector<FinishedDay>& days, const Question& asked) const {
+    DayFilter with_references = filter;
+    if (!filter.variants.empty()) {
+      with_references.variants.push_back(asked.reference);
+    }
+    if (!filter.variants.empty() && asked.bound) {
+      with_references.variants.push_back(*asked.bound);
+    }
+    return filtered(with_references, days);
   }
 };
 
@@ -110,7 +124,8 @@ std::string answer_to(const CompareArguments& arguments) {
   std::vector<AnsweredQuestion> answers;
   for (const auto& reference : arguments.against) {
     const Question question = arguments.against_one(reference);
-    answers.push_back({question, compare(with_bounds(played.days, question, file), question)});
+    answers.push_back(
+        {question, compare(arguments.chosen(with_bounds(played.days, question, file), question), question)});
     if (arguments.fronts) {
       std::erase_if(answers.back().rows, [](const Compared& row) { return !row.whole; });
     }
@@ -118,7 +133,9 @@ std::string answer_to(const CompareArguments& arguments) {
   std::vector<FinishedDay> asked_for = played.days;
   asked_for.insert(asked_for.end(), played.missing.begin(), played.missing.end());
   const Page page = page_of(read_origin(file).text, asked_for);
-  const auto primaries = primary_answers(page, with_objective(page, played.days));
+  // On some of the days only, a row is another one than the primary endpoint.
+  const auto primaries = arguments.filter.days.empty() ? primary_answers(page, with_objective(page, played.days))
+                                                       : std::vector<PrimaryAnswer>{};
   if (arguments.json || arguments.csv) {
     return arguments.json ? compared_json(answers, primaries) : compared_csv(answers, primaries);
   }
@@ -146,6 +163,7 @@ void add_compare_command(CLI::App& app) {
                     "Whole fronts only, over the idle km (or `--at`) that both variants cover");
   command->add_flag("--room", arguments->room,
                     "Also the share of the way from --against to the bound of `evbal bound`");
+  add_filter_options(*command, arguments->filter);
   CLI::Option* json = command->add_flag("--json", arguments->json, "Print the rows as JSON");
   command->add_flag("--csv", arguments->csv, "Print the rows as CSV")->excludes(json);
   command->callback([arguments] { std::fputs(answer_to(*arguments).c_str(), stdout); });

@@ -9,6 +9,7 @@
 #include "experiments/study/store/sweep_file.hpp"
 #include "experiments/study/store/sweep_origin.hpp"
 #include "tools/evbal/bounded_days.hpp"
+#include "tools/evbal/filter_options.hpp"
 #include "tools/evbal/replayed_days.hpp"
 #include "tools/evbal/study_page.hpp"
 #include "tools/evbal/sweep_bounds.hpp"
@@ -53,28 +54,48 @@ SweepOrigin origin_of(const SweepArguments& arguments, const fs::path& file, con
 }
 
 /// What is played and what is left; nothing is played.
-std::string plan_of(const SweepArguments& arguments) {
+std::string plan_of(const SweepArguments& arguments, const DayFilter& filter) {
   const fs::path file = find_study(arguments.sweep);
   const fs::path folder = folder_of(arguments);
   const bool is_tuned = fs::exists(folder / tuned_file_name);
   if (!tuning_of(file).empty() && !is_tuned) {
     return arguments.sweep.string() + ": tunes its variants first; its days are known after that\n";
   }
-  const Sweep sweep = read_sweep(file, {arguments.quick, is_tuned ? folder / tuned_file_name : fs::path()});
+  Sweep sweep = read_sweep(file, {arguments.quick, is_tuned ? folder / tuned_file_name : fs::path()});
+  sweep.days = filtered(filter, sweep.days);
   const int jobs = arguments.options.playing.jobs;
   const fs::path results = folder / sweep_file_name;
   return sweep_plan(sweep, keys_of(sweep), seconds_of_results(results), failures_in(results),
                     jobs > 0 ? jobs : cores());
 }
 
+/// A whole command line.
+struct SweepRequest {
+  SweepArguments arguments;
+  bool dry_run = false;
+  DayFilter filter;                     ///< of the dry run
+  int replay = 0;                       ///< days to be played again
+  std::optional<std::uint64_t> seed{};  ///< of their choice
+};
+
 /// Plays some days of a sweep again that has been played.
-std::string replay_of(const SweepArguments& arguments, int count, std::uint64_t seed) {
+std::string replay_of(const SweepRequest& asked) {
   catch_interrupts();
+  const SweepArguments& arguments = asked.arguments;
   const fs::path file = find_study(arguments.sweep);
   const fs::path folder = folder_of(arguments);
   const fs::path tuned = tuning_of(file).empty() ? fs::path() : folder / tuned_file_name;
   const Sweep sweep = read_sweep(file, {arguments.quick, tuned});
-  return replay_days(sweep, folder / sweep_file_name, static_cast<std::size_t>(count), seed, arguments.options) + "\n";
+  return replay_days(sweep, folder / sweep_file_name, static_cast<std::size_t>(asked.replay),
+                     asked.seed ? *asked.seed : std::random_device{}(), arguments.options) +
+         "\n";
+}
+
+std::string answer(const SweepRequest& asked) {
+  if (asked.dry_run) {
+    return plan_of(asked.arguments, asked.filter);
+  }
+  return asked.replay > 0 ? replay_of(asked) : sweep(asked.arguments).string() + "\n";
 }
 
 }  // namespace
@@ -106,28 +127,25 @@ fs::path sweep(const SweepArguments& arguments) {
 }
 
 void add_sweep_command(CLI::App& app) {
-  const auto arguments = std::make_shared<SweepArguments>();
-  const auto dry_run = std::make_shared<bool>(false);
+  const auto asked = std::make_shared<SweepRequest>();
   CLI::App* command = app.add_subcommand("sweep", "Play the days of a sweep that are not played yet");
-  command->add_option("SWEEP", arguments->sweep, "Sweep file (YAML), or the name of a shipped one")->required();
-  command->add_option("--out", arguments->out, "Directory, new or of this sweep; otherwise one under runs/");
-  command->add_flag("--quick", arguments->quick, "Two days and one seed only, to see every part");
-  command->add_flag("--dry-run", *dry_run,
-                    "Say what is played and what is left, and how long that will take; play nothing");
-  const auto replay = std::make_shared<int>(0);
-  const auto seed = std::make_shared<std::optional<std::uint64_t>>();
+  SweepArguments& arguments = asked->arguments;
+  command->add_option("SWEEP", arguments.sweep, "Sweep file (YAML), or the name of a shipped one")->required();
+  command->add_option("--out", arguments.out, "Directory, new or of this sweep; otherwise one under runs/");
+  command->add_flag("--quick", arguments.quick, "Two days and one seed only, to see every part");
+  CLI::Option* plan_only = command->add_flag(
+      "--dry-run", asked->dry_run, "Say what is played, failed and left, and how long that will take; play nothing");
   command
-      ->add_option("--replay", *replay,
+      ->add_option("--replay", asked->replay,
                    "Play so many of its days again, chosen at random, and compare their digests with those stored")
-      ->check(CLI::PositiveNumber);
-  command->add_option("--seed", *seed, "Choice of these days; otherwise drawn, and told");
-  add_playing_options(*command, arguments->options);
-  command->callback([arguments, dry_run, replay, seed] {
-    const std::string text = *dry_run      ? plan_of(*arguments)
-                             : *replay > 0 ? replay_of(*arguments, *replay, *seed ? **seed : std::random_device{}())
-                                           : sweep(*arguments).string() + "\n";
-    std::fputs(text.c_str(), stdout);
-  });
+      ->check(CLI::PositiveNumber)
+      ->excludes(plan_only);
+  command->add_option("--seed", asked->seed, "Choice of these days; otherwise drawn, and told")->needs("--replay");
+  add_playing_options(*command, arguments.options);
+  for (CLI::Option* option : add_filter_options(*command, asked->filter)) {
+    option->needs(plan_only);
+  }
+  command->callback([asked] { std::fputs(answer(*asked).c_str(), stdout); });
 }
 
 }  // namespace evbal

@@ -86,6 +86,16 @@ TEST(Sweep, GoesOnAfterAKillAndGivesTheSameBytesForAnyNumberOfJobs) {
   EXPECT_NE(compared.out.find("turnover  balancing.p_shortage=24 "), std::string::npos) << compared.out;
   EXPECT_EQ(lines_of(compared.out), 3) << compared.out;
   EXPECT_EQ(lines_of(line.evbal("compare whole --against ratio --csv").out), 3);
+  const std::string one_day = line.evbal("compare whole --against ratio --days 2024-01-11 --csv").out;
+  EXPECT_EQ(lines_of(one_day), 3) << one_day;
+  EXPECT_NE(one_day, line.evbal("compare whole --against ratio --csv").out);
+  EXPECT_EQ(lines_of(line.evbal("compare whole --against ratio --variant ratio --csv").out), 1) << "but for the head";
+  const Ended unknown = line.evbal("compare whole --against ratio --days 2024-01-31");
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_NE(unknown.err.find("there is `2024-01-11`, `2024-01-12`"), std::string::npos) << unknown.err;
+  const std::string part = line.evbal("sweep " + small + " --out whole --dry-run --variant ratio").out;
+  EXPECT_NE(part.find("4 days, 0 left"), std::string::npos) << part;
+  EXPECT_EQ(line.evbal("sweep " + small + " --out whole --variant ratio").status, 2) << "plays all of them or none";
   EXPECT_EQ(line.evbal("sweep " + small + " --out new --dry-run").status, 0);
   EXPECT_FALSE(fs::exists(line.path() / "new")) << "nothing is played, and nothing is left behind";
   EXPECT_EQ(line.evbal("compare whole --against robust").status, 2);
