@@ -27,6 +27,15 @@ function wrapped(text, width, size = 13) {
   return lines;
 }
 
+// A heading, cut off where it is longer than `width`.
+function cutOff(text, width) {
+  let end = text.length;
+  while (boldWidth(text.slice(0, end)) > width) {
+    --end;
+  }
+  return end < text.length ? text.slice(0, end - 1) + "…" : text;
+}
+
 const tenth = value => Math.round(10 * value) / 10;
 
 function write(parent, text, x, y, {size = 13, weight = 400, fill, anchor = "start"}) {

@@ -87,15 +87,15 @@ function frontLegend(svg, names, bound, width, ink) {
 function drawFronts(svg, {fronts}, width, ink) {
   const names = [...new Set(fronts.flatMap(panel => panel.lines.map(line => line.name)))];
   const top = frontLegend(svg, names, fronts.some(panel => panel.bound.length > 0), width, ink);
-  const height = 272;
-  const places = panelPlaces(fronts.length, width, height, 260);
+  const height = 258;
+  const places = panelPlaces(fronts.length, width, height, 245);
   fronts.forEach((panel, i) => {
     const place = {...places[i], y: places[i].y + top};
     const scales = frontScales(panel, place, height);
     const [left, right] = scales.x.range();
     const [bottom, ceiling] = scales.y.range();
-    write(svg, panel.title, left, place.y + 15, {weight: 600, fill: ink.ink});
-    write(svg, panel.note, left, place.y + 31, {size: 11, fill: ink.soft});
+    write(svg, cutOff(panel.title, place.width - 24), place.x + 20, place.y + 15, {weight: 600, fill: ink.ink});
+    write(svg, panel.note, place.x + 20, place.y + 31, {size: 11, fill: ink.soft});
     uprightAxis(svg, scales.y, left, right, ink);
     for (const tick of scales.x.ticks(place.width / 90)) {
       write(svg, counted(tick), scales.x(tick), bottom + 17, {size: 12, fill: ink.soft, anchor: "middle"});

@@ -15,10 +15,10 @@ function drawSlopePanel(svg, panel, {from, to}, place, height, ink) {
   const [bottom, top] = scale.range();
   const bad = panel.days.filter(day => day.value > day.reference);
   const good = panel.days.filter(day => day.value < day.reference).length;
-  write(svg, panel.title, left, place.y + 16, {weight: 600, fill: ink.ink});
+  write(svg, cutOff(panel.title, place.width - 24), place.x + 20, place.y + 16, {weight: 600, fill: ink.ink});
   write(svg, panel.days.length === 0 ? "no day on which both could be compared"
     : "fewer lost on " + good + " of " + panel.days.length + (panel.days.length === 1 ? " day" : " days"),
-  left, place.y + 32, {size: 12, fill: ink.soft});
+  place.x + 20, place.y + 32, {size: 12, fill: ink.soft});
   uprightAxis(svg, scale, left, right, ink);
   [[from, left, place.x + 8, "start"], [to, right, place.x + place.width - 8, "end"]].forEach(([name, x, end, anchor]) => {
     stroke(svg, ["M", x, top, "V", bottom], ink.soft, 1.2);
@@ -38,7 +38,7 @@ function drawSlopePanel(svg, panel, {from, to}, place, height, ink) {
 
 function drawSlopes(svg, figure, width, ink) {
   const height = 300;
-  const places = panelPlaces(figure.slopes.length, width, height, 290);
+  const places = panelPlaces(figure.slopes.length, width, height, 245);
   figure.slopes.forEach((panel, i) => drawSlopePanel(svg, panel, figure, {...places[i], width: Math.min(places[i].width, 480)}, height, ink));
   return d3.max(places, place => place.y) + height;
 }
