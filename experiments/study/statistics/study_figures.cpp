@@ -151,7 +151,7 @@ std::string title_of(const Page& page, const PageFigure& figure) {
     case FigureKind::claims:
       return "The paper's three claims, and what came out here: " + pair();
     case FigureKind::forest:
-      return "What was asked beforehand, and what came out";
+      return "The questions, and what came out";
     case FigureKind::slopes:
       return "Day by day, passengers lost at equal km driven empty: " + pair();
     case FigureKind::ablation:

@@ -1,5 +1,5 @@
 "use strict";
-// What a sweep was asked beforehand: the verdict, its figures, how to read them, its tables.
+// What a sweep was asked: the verdict, its figures, how to read them, its tables.
 
 function addMarkdown(text, kind) {
   if (text !== "") {
