@@ -231,7 +231,7 @@ std::string reading(const std::vector<PrimaryAnswer>& answers) {
   return "Less is better. In brackets: 95 % intervals over " +
          (least == most ? days : std::to_string(least) + " to " + days) +
          ". Better or worse is said where p is below 0.05 after Holm's adjustment for all " +
-         std::to_string(answers.size()) + " primary endpoints.";
+         std::to_string(answers.size()) + " primary endpoints: an interval without 0 does not suffice.";
 }
 
 }  // namespace
