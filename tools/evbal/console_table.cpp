@@ -104,6 +104,19 @@ std::string distribution_table(const std::vector<DrawnMetric>& metrics) {
   return aligned(cells, 1);
 }
 
+std::string influence_table(const std::vector<Influence>& influences) {
+  std::vector<std::vector<std::string>> rows = {{"fault", "what of it", "rank correlation", "95 %", "p, after Holm"}};
+  for (std::size_t i = 0; i < std::min<std::size_t>(5, influences.size()); ++i) {
+    const Influence& row = influences[i];
+    rows.push_back({row.fault, row.quantity, fixed(row.correlation.mean, 2, true),
+                    is_known(row.correlation)
+                        ? fixed(row.correlation.low, 2, true) + " .. " + fixed(row.correlation.high, 2, true)
+                        : "not known",
+                    fixed(row.p_adjusted, 4)});
+  }
+  return aligned(rows, 2);
+}
+
 std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size_t left) {
   std::vector<std::size_t> widths;
   for (const auto& row : rows) {

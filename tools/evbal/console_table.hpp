@@ -20,6 +20,9 @@ std::string cost_table(const std::vector<MetricCost>& costs);
 /// How metrics are spread over draws, a row a metric, with its value without faults, aligned likewise.
 std::string distribution_table(const std::vector<DrawnMetric>& metrics);
 
+/// The five drawn quantities that a metric goes with most closely, aligned likewise.
+std::string influence_table(const std::vector<Influence>& influences);
+
 /// Rows of cells in columns, the first `left` of them flush left, the others flush right.
 std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size_t left);
 

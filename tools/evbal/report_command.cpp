@@ -43,6 +43,7 @@ std::vector<fs::path> runs_in(const fs::path& folder) {
 PageContent content_of(const ReportArguments& arguments) {
   std::optional<fs::path> sweep;
   std::vector<RecordedRun> runs;
+  std::string draws;
   for (const fs::path given : arguments.folders) {
     if (fs::exists(given / "sweep.sqlite")) {
       if (sweep) {
@@ -51,6 +52,7 @@ PageContent content_of(const ReportArguments& arguments) {
       sweep = given;
       continue;
     }
+    draws += fs::exists(given / "draws.md") ? text_of_file(given / "draws.md") : "";
     for (const auto& folder : runs_in(given)) {
       runs.push_back(read_run(folder));
     }
@@ -58,7 +60,9 @@ PageContent content_of(const ReportArguments& arguments) {
   if (!sweep && !arguments.against.empty()) {
     throw bad_input("--against: there is no sweep among the directories, whose variants could be compared");
   }
-  return sweep ? content_on(*sweep, arguments.against, runs) : content_on(runs);
+  PageContent content = sweep ? content_on(*sweep, arguments.against, runs) : content_on(runs);
+  content.draws = draws;
+  return content;
 }
 
 /// Draws the figures of a sweep's page alone.

@@ -212,10 +212,11 @@ void print_draws(const DrawsResult& result, const fs::path& folder, Output outpu
   }
   for (const auto& drawn : result.controllers) {
     if (output == Output::tables) {
-      std::printf("%s%s, %zu draws of the faults\n%sworst: %s, %s %s; alone: evbal run %s\n\n",
+      std::printf("%s%s, %zu draws of the faults\n%sworst: %s, %s %s; alone: evbal run %s\n\nwhat %s goes with:\n%s\n",
                   &drawn == &result.controllers.front() ? "\n" : "", drawn.controller.c_str(), drawn.draws,
                   distribution_table(drawn.metrics).c_str(), drawn.worst.c_str(), drawn.worst_metric.c_str(),
-                  decimal(drawn.worst_value).c_str(), drawn.worst_file.c_str());
+                  decimal(drawn.worst_value).c_str(), drawn.worst_file.c_str(), drawn.worst_metric.c_str(),
+                  influence_table(drawn.influences).c_str());
     }
   }
   std::printf("%s\n", folder.c_str());

@@ -54,6 +54,7 @@ Json content_json(const PageContent& content) {
   Json json = {{"title", content.title},
                {"subtitle", content.subtitle},
                {"left_out", content.left_out},
+               {"draws", content.draws},
                {"runs", runs_json(content.runs, map)},
                {"windows", windows_json(content.runs)},
                {"forecasts", forecasts_json(content.forecasts)},

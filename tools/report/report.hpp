@@ -24,6 +24,7 @@ struct PageContent {
   std::string title{};                         ///< of the page
   std::string subtitle{};                      ///< below it
   std::vector<ReportedRun> runs{};             ///< side by side; of the same clock
+  std::string draws{};                         ///< on draws of the faults of the runs' day, Markdown; may be empty
   std::optional<SweepContent> sweep{};         ///< at least one of it and `runs`
   std::vector<ForecastFigure> forecasts{};     ///< of the first run's day, or of the sweep's first
   std::vector<FittedThresholds> thresholds{};  ///< of the city's model

@@ -10,6 +10,8 @@
 #include "experiments/run/record_day.hpp"
 #include "experiments/run/twins.hpp"
 #include "experiments/study/executors/day_keys.hpp"
+#include "experiments/study/executors/drawn_quantities.hpp"
+#include "experiments/study/executors/draws_page.hpp"
 #include "experiments/study/executors/play_days.hpp"
 #include "experiments/study/executors/play_sweep.hpp"
 #include "experiments/study/statistics/distribution.hpp"
@@ -114,7 +116,8 @@ std::size_t worst_draw(const Drawn& drawn) {
 }
 
 DrawnController summary_of(const Drawn& drawn) {
-  const std::string metric = measure_of_worst(drawn.run.scenario).metric;
+  const Expect measure = measure_of_worst(drawn.run.scenario);
+  const std::string& metric = measure.metric;
   const std::size_t worst = worst_draw(drawn);
   DrawnController summary{.controller = drawn.run.scenario.planning.controller,
                           .draws = drawn.totals.size(),
@@ -122,7 +125,11 @@ DrawnController summary_of(const Drawn& drawn) {
                           .worst = name_of(worst),
                           .worst_metric = metric,
                           .worst_value = drawn.totals[worst].at(metric),
-                          .worst_file = drawn.run.folder / "worst.yaml"};
+                          .worst_file = drawn.run.folder / "worst.yaml",
+                          .largest_is_worst = measure.at_most,
+                          .values = drawn.values(metric)};
+  summary.quantities = drawn_quantities(drawn.run.scenario.draws, drawn.run.scenario.world.clock.start);
+  summary.influences = influences(summary.quantities, summary.values);
   for (const auto& name : expectable_metrics()) {
     summary.metrics.push_back({name, distribution_of(drawn.values(name)), drawn.without.at(name)});
   }
@@ -195,6 +202,8 @@ DrawsResult play_draws(const Draws& draws, const fs::path& folder, const DrawsSt
     write_file(drawn.run.folder / "worst.yaml", resolved_draw(drawn.run.scenario, worst_draw(drawn)));
     result.controllers.push_back(summary_of(drawn));
   }
+  write_file(folder / "influence.csv", influence_csv(result));
+  write_file(folder / "draws.md", draws_markdown(result));
   result.disappointments = disappointments(all);
   return result;
 }

@@ -4,6 +4,7 @@
 #include "experiments/scenario/scenario.hpp"
 #include "experiments/study/executors/play_days.hpp"
 #include "experiments/study/statistics/distribution.hpp"
+#include "experiments/study/statistics/fault_influence.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -27,13 +28,17 @@ struct DrawnMetric {
 
 /// What the draws came to under one controller.
 struct DrawnController {
-  std::string controller;            ///< its name
-  std::size_t draws = 0;             ///< that were played
-  std::vector<DrawnMetric> metrics;  ///< those that may be expected
-  std::string worst;                 ///< name of the worst draw
-  std::string worst_metric;          ///< by which it is
-  double worst_value = 0.0;          ///< of the metric
-  std::filesystem::path worst_file;  ///< that draw as a resolved scenario
+  std::string controller;                   ///< its name
+  std::size_t draws = 0;                    ///< that were played
+  std::vector<DrawnMetric> metrics;         ///< those that may be expected
+  std::string worst;                        ///< name of the worst draw
+  std::string worst_metric;                 ///< by which it is
+  double worst_value = 0.0;                 ///< of the metric
+  std::filesystem::path worst_file;         ///< that draw as a resolved scenario
+  bool largest_is_worst = true;             ///< of the metric
+  std::vector<double> values{};             ///< of the metric in each draw
+  std::vector<DrawnQuantity> quantities{};  ///< what differs between the draws
+  std::vector<Influence> influences{};      ///< of these on the metric, the strongest first
 };
 
 /// What all draws came to.
@@ -62,6 +67,8 @@ std::filesystem::path draws_file(const std::filesystem::path& folder);
 ///
 ///     runs.csv              a row a draw and controller, as days.csv of a sweep; `faults` names the draw
 ///     distribution.csv      controller, metric, min, q1, median, q3, p90, max, mean, and without faults
+///     influence.csv         how the metric of the worst draw goes with what was drawn (draws_page.hpp)
+///     draws.md              the same in words and tables, with the worst draws
 ///     runs.sqlite           the same as tables, with the steps of every run
 ///
 /// and, for each controller, in `folder` or in one of its name below:

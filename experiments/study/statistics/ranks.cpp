@@ -7,9 +7,7 @@
 #include <cstddef>
 
 namespace evbal {
-namespace {
 
-/// Twice each value's mean rank, less its mean over all: whole numbers.
 std::vector<double> centred_ranks(const std::vector<double>& values) {
   std::vector<double> ranks;
   ranks.reserve(values.size());
@@ -20,6 +18,8 @@ std::vector<double> centred_ranks(const std::vector<double>& values) {
   }
   return ranks;
 }
+
+namespace {
 
 double product(const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0.0;

@@ -79,6 +79,17 @@ TEST_F(Draws, AreSpreadAndTheWorstCanBeRunAlone) {
   EXPECT_TRUE(spread.starts_with("controller,metric,min,q1,median,q3,p90,max,mean,without\n")) << spread;
   EXPECT_EQ(line_.summary("four/without-faults", "fleet_conserved"), "true");
 
+  const std::string influence = text_of(line_.path() / "four" / "influence.csv");
+  EXPECT_TRUE(influence.starts_with("controller,metric,fault,quantity,draws,correlation,low,high,p,p_holm\n"));
+  EXPECT_NE(influence.find("\nnominal,lost,jam,magnitude,4,"), std::string::npos) << influence;
+  EXPECT_NE(influence.find("\nnominal,lost,jam,start,4,"), std::string::npos) << influence;
+  EXPECT_NE(ended.out.find("what lost goes with:"), std::string::npos) << ended.out;
+  const std::string page = text_of(line_.path() / "four" / "draws.md");
+  EXPECT_NE(page.find("| draw | `lost` | jam: "), std::string::npos) << page;
+  ASSERT_EQ(line_.evbal("report four").status, 0);
+  const std::string report = text_of(line_.path() / "four" / "report.html");
+  EXPECT_NE(report.find("Which fault did it under nominal"), std::string::npos);
+
   const auto at = ended.out.find("worst: ") + 7;
   const std::string worst = ended.out.substr(at, ended.out.find(',', at) - at);
   ASSERT_EQ(line_.evbal("run four/worst.yaml --transport dds --out alone --quiet").status, 0);

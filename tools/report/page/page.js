@@ -5,6 +5,9 @@ document.title = report.title;
 document.getElementById("title").textContent = report.title;
 document.getElementById("subtitle").textContent = report.subtitle;
 document.getElementById("page").append(...report.left_out.map(words => element("p", "note", words)));
+if (report.draws) {
+  addDraws();
+}
 if (report.sweep) {
   addSweep();
 }
