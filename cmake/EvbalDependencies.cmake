@@ -19,6 +19,11 @@ add_library(evbal_mrpt_system INTERFACE)
 add_library(evbal::mrpt_system ALIAS evbal_mrpt_system)
 target_link_libraries(evbal_mrpt_system INTERFACE mrpt::system)
 
+find_package(mrpt-bayes REQUIRED)
+add_library(evbal_mrpt_bayes INTERFACE)
+add_library(evbal::mrpt_bayes ALIAS evbal_mrpt_bayes)
+target_link_libraries(evbal_mrpt_bayes INTERFACE mrpt::bayes)
+
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(SQLiteCpp REQUIRED)

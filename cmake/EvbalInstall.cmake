@@ -32,7 +32,7 @@ if(HELP2MAN)
   install(DIRECTORY ${manual} DESTINATION share/man)
 endif()
 
-evbal_install(evbal_eigen evbal_mrpt_math evbal_mrpt_system evbal_ipopt evbal_clp evbal_lapack evbal_nlopt)
+evbal_install(evbal_eigen evbal_mrpt_math evbal_mrpt_system evbal_mrpt_bayes evbal_ipopt evbal_clp evbal_lapack evbal_nlopt)
 include(CMakePackageConfigHelpers)
 set(package_folder lib/cmake/evbal)
 install(EXPORT evbal NAMESPACE evbal:: FILE evbalTargets.cmake DESTINATION ${package_folder} COMPONENT dev)

@@ -60,6 +60,9 @@ class Check {
   void provenance(const Provenance& made) {
     within("max_violation", made.max_violation, 0.0, std::numeric_limits<double>::max());
     within("iterations", made.iterations, 0, std::numeric_limits<std::int32_t>::max());
+    for (const SensorFlag& flag : made.flags) {
+      region("flag of region", flag.region);
+    }
     const double distance = made.objective - made.lower_bound;
     that(made.gap * distance >= 0.0 && std::abs(made.gap) <= std::abs(distance), [&] {
       return named("gap", made.gap) + named(" between", made.objective) + named(" and its bound", made.lower_bound);

@@ -206,6 +206,37 @@ struct Rejection {
   bool operator==(const Rejection&) const = default;
 };
 
+/// What a sensor that lies does, as far as its reports show.
+enum class SensorFaultKind : std::uint8_t {
+  silent = 0,   ///< says nothing, or what no sensor says
+  stuck = 1,    ///< says the same all the time
+  biased = 2,   ///< is off by about the same number
+  noisy = 3,    ///< is off by a number that changes
+  delayed = 4,  ///< says what was true some reports ago
+};
+
+/// A field of a region's report that the coordinator has found to lie.
+struct SensorFlag {
+  std::int32_t region = 0;                         ///< whose report it is
+  ReportField field = ReportField::none;           ///< of the report
+  SensorFaultKind kind = SensorFaultKind::silent;  ///< which explains best what was reported so far
+  std::int32_t reported = 0;                       ///< what the field says
+  std::int32_t estimate = 0;                       ///< what the coordinator takes to be true
+  bool isolated = false;                           ///< whether the plan was made from the estimate
+
+  /// Field by field.
+  bool operator==(const SensorFlag&) const = default;
+};
+
+/// How well the coordinator foresees a count of the reports, over all regions whose count is believed.
+struct FieldInnovations {
+  ReportField field = ReportField::none;  ///< that is foreseen
+  std::int32_t counts = 0;                ///< regions
+  double squares = 0.0;                   ///< sum over them of (count - expected)^2 over the variance that is expected
+  std::int32_t within = 0;                ///< of them, where 95 of 100 are expected
+  double expected_within = 0.0;           ///< what is to be expected of `within`: counts are whole, so it is more
+};
+
 /// A part of a plan's objective.
 struct PlanCost {
   std::string term;   ///< "km", "queue", "shortage", ...
@@ -227,6 +258,8 @@ struct Provenance {
   double completions_widened = 1.0;   ///< likewise
   std::vector<Rejection> rejected{};  ///< by region; these regions stand in the plan as the coordinator estimates them
   std::vector<PlanCost> costs{};      ///< the objective by term, which they sum to; none if nothing was solved
+  std::vector<SensorFlag> flags{};    ///< by (region, field); none unless the scenario asks for them (`sensor_faults`)
+  std::vector<FieldInnovations> innovations{};  ///< by field; likewise
 };
 
 /// Coordinator to all.
@@ -290,8 +323,8 @@ struct Departures {
 
 /// Fields that are recorded but no part of any digest: they differ between runs of the same day, or say in detail what
 /// another field sums up.
-inline constexpr std::tuple outside_digests{&Faults::origin, &Report::origin, &Plan::origin, &Departures::origin,
-                                            &Provenance::costs};
+inline constexpr std::tuple outside_digests{&Faults::origin,     &Report::origin,    &Plan::origin,
+                                            &Departures::origin, &Provenance::costs, &Provenance::innovations};
 
 /// Fields that digests take in only where they differ from their default, and then with their name: digests of days
 /// without such a fault stay what they were before there was the field.
@@ -302,6 +335,7 @@ inline constexpr std::tuple rare_in_digests{&Effect::to,
                                             &Provenance::demand_widened,
                                             &Provenance::completions_widened,
                                             &Provenance::rejected,
+                                            &Provenance::flags,
                                             &Departures::broken};
 
 }  // namespace evbal

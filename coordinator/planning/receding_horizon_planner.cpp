@@ -8,6 +8,7 @@
 #include "coordinator/balancing/send_limits.hpp"
 #include "coordinator/balancing/top_up.hpp"
 #include "coordinator/forecast/foreknowledge.hpp"
+#include "coordinator/planning/filter_outlook.hpp"
 #include "coordinator/planning/freed_cars.hpp"
 #include "coordinator/planning/planning_data.hpp"
 
@@ -152,6 +153,9 @@ RecedingHorizonPlanner::RecedingHorizonPlanner(const City& city, const DayClock&
   bounds_.points.assign(points.begin(), points.end());
   const DayKind kind = model_.kind(date);
   const int start = clock_.start - model_.day_start;
+  if (settings_.sensor_faults != SensorFaults::ignore) {
+    filter_.emplace(filter_model(city, clock_));
+  }
   demand_ = std::make_unique<SeasonalForecaster>(model_.demand.seasonal, kind, start);
   completions_ = std::make_unique<SeasonalForecaster>(model_.completions.seasonal, kind, start);
 }
@@ -182,7 +186,7 @@ PlanningData RecedingHorizonPlanner::data(int minute, const std::vector<Report>&
   data.demand = moment_set(model_.demand.errors, told_.as_announced(demand_->forecast(minute, tau), clock_.step),
                            demand_->scale(minute, tau));
   inflate(data.demand, by.demand);
-  add_variance(data.demand, fleet_.variance());
+  add_variance(data.demand, vacant_variance_);
   data.demand_samples = gaussian_samples(data.demand, draws_samples(settings_.controller) ? demand_samples : 0);
   data.completions =
       moment_set(model_.completions.errors, has_points_.asDiagonal() * completions_->forecast(minute, tau),
@@ -206,15 +210,56 @@ std::vector<Report> RecedingHorizonPlanner::observe(const Tick& tick, const std:
   const int minute = clock_.minute_of(tick.tick);
   const int before = clock_.minute_of(last_.tick);
   CheckedReports checked = check_reports(reports, tick.tick, last_.tick, bounds_);
-  fleet_.advance(minute, last_.moves, model_.transitions_at(clock_.start + before));
-  std::vector<Report> believed = fleet_.settle(tick.tick, checked.good);
+  Provenance found;
+  std::vector<Report> believed;
+  if (filter_) {
+    believed = filtered(tick, checked, found);
+  } else {
+    fleet_.advance(minute, last_.moves, model_.transitions_at(clock_.start + before));
+    believed = fleet_.settle(tick.tick, checked.good);
+    vacant_variance_ = fleet_.variance();
+  }
   demand_->observe(minute, told_.as_usual(heard(checked.good, &Report::demand), minute - before));
   completions_->observe(minute, heard(checked.good, &Report::completions));
   told_ = announced_demand(foresees_ ? std::vector<Effect>{} : tick.effects, model_.regions());
   last_ = {};
   last_.tick = tick.tick;
+  last_.provenance = std::move(found);
   last_.provenance.rejected = std::move(checked.rejected);
   return believed;
+}
+
+WindowOutlook RecedingHorizonPlanner::outlook(int from, int until) {
+  const std::vector<TripShare>& trips = model_.trips_at(clock_.start + from);
+  if (short_trips_.of != &trips || short_trips_.window != until - from) {
+    short_trips_ = {&trips, until - from, short_trips(trips, minutes_, until - from, clock_.tick)};
+  }
+  const Eigen::MatrixXd forecast = told_.as_announced(demand_->forecast(from, 1), clock_.step);
+  return {short_trips_.trips, forecast.col(0) * (until - from) / clock_.step, model_.turnover.demand.linear.front()};
+}
+
+std::vector<Report> RecedingHorizonPlanner::filtered(const Tick& tick, CheckedReports& checked, Provenance& found) {
+  const int minute = clock_.minute_of(tick.tick);
+  FleetFilter::Result result =
+      filter_->observe(tick, minute, checked.readable, last_.moves, outlook(clock_.minute_of(last_.tick), minute));
+  found.flags = std::move(result.flags);
+  found.innovations = std::move(result.innovations);
+  vacant_variance_ = filter_->variance();
+  const bool isolate = settings_.sensor_faults == SensorFaults::isolate;
+  for (SensorFlag& flag : found.flags) {
+    const auto region = static_cast<std::size_t>(flag.region);
+    flag.isolated = isolate || !checked.good[region];
+    if (isolate) {
+      checked.good[region] = result.reports[region];
+    }
+  }
+  for (std::size_t i = 0; i < result.reports.size(); ++i) {
+    if (checked.good[i] && !isolate) {
+      vacant_variance_(static_cast<Eigen::Index>(i)) = 0.0;
+      result.reports[i] = *checked.good[i];
+    }
+  }
+  return result.reports;
 }
 
 std::string RecedingHorizonPlanner::memory() const {
@@ -236,6 +281,8 @@ Plan RecedingHorizonPlanner::plan(const Tick& tick, const std::vector<Report>& r
   Decision decision = ladder_.decide(minute, known, under_faults(settings_.engine, tick.effects));
   last_.moves = moves_of(decision, known);
   decision.provenance.rejected = std::move(last_.provenance.rejected);
+  decision.provenance.flags = std::move(last_.provenance.flags);
+  decision.provenance.innovations = std::move(last_.provenance.innovations);
   last_.provenance = std::move(decision.provenance);
   if (last_.provenance.iterations > 0) {
     last_.provenance.engine = settings_.engine.name;

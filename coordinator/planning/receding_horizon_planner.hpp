@@ -4,6 +4,7 @@
 #include "agents/world/city.hpp"
 #include "common/clock.hpp"
 #include "coordinator/balancing/controllers.hpp"
+#include "coordinator/filter/fleet_filter.hpp"
 #include "coordinator/forecast/forecaster.hpp"
 #include "coordinator/planning/announced.hpp"
 #include "coordinator/planning/city_model.hpp"
@@ -13,6 +14,7 @@
 #include "coordinator/planning/settings.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -61,6 +63,20 @@ class RecedingHorizonPlanner {
   /// Takes what the reports say, as far as they are believed; gives them, or estimates, by region.
   std::vector<Report> observe(const Tick& tick, const std::vector<Report>& reports);
 
+  /// The reports as the filter leaves them, by region; notes what it found. `checked.good` are then those that teach
+  /// the forecasts.
+  std::vector<Report> filtered(const Tick& tick, CheckedReports& checked, Provenance& found);
+
+  /// What was to be expected of the time between two plans.
+  WindowOutlook outlook(int from, int until);
+
+  /// Short trips of a period of the model and a window between plans: worked out anew only when either changes.
+  struct KnownShortTrips {
+    const std::vector<TripShare>* of = nullptr;
+    int window = 0;
+    std::vector<ShortTrips> trips;
+  };
+
   /// What the innovation test multiplies standard deviations by, by region: 1 without one.
   struct Inflation {
     Eigen::VectorXd demand;
@@ -83,6 +99,9 @@ class RecedingHorizonPlanner {
   std::unique_ptr<Forecaster> completions_;
   ReportBounds bounds_;
   FleetEstimate fleet_;
+  std::optional<FleetFilter> filter_;  ///< in place of fleet_, unless sensor faults are ignored
+  Eigen::VectorXd vacant_variance_;    ///< N, of the number of vacant vehicles: 0 where a report is believed
+  KnownShortTrips short_trips_;
   AnnouncedDemand told_;  ///< with the last plan's tick
   Plan last_;
   Ladder ladder_;

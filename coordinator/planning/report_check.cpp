@@ -21,20 +21,27 @@ std::int64_t vehicles_bound(const Report& report) {
   return vehicles;
 }
 
+/// Counts against the lists beside them.
+std::string validate_beside_lists(const Report& report) {
+  if (std::ssize(report.plugged_since) != report.plugged) {
+    return "plugged " + std::to_string(report.plugged) + ", plugged_since " +
+           std::to_string(report.plugged_since.size());
+  }
+  if (std::ssize(report.reach_m) > report.low_battery) {
+    return "low_battery " + std::to_string(report.low_battery) + ", reach_m " + std::to_string(report.reach_m.size());
+  }
+  return "";
+}
+
+/// Of what no sensor measures.
 std::string validate_lists(const Report& report, int minute) {
   const auto& since = report.plugged_since;
-  if (static_cast<std::int64_t>(since.size()) != report.plugged) {
-    return "plugged " + std::to_string(report.plugged) + ", plugged_since " + std::to_string(since.size());
-  }
   const bool in_order =
       std::ranges::is_sorted(since) && (since.empty() || (since.front() >= 0 && since.back() <= minute));
   if (!in_order) {
     return "plugged_since is not in order or not of the day";
   }
   const auto& reach = report.reach_m;
-  if (static_cast<std::int64_t>(reach.size()) > report.low_battery) {
-    return "low_battery " + std::to_string(report.low_battery) + ", reach_m " + std::to_string(reach.size());
-  }
   if (!std::ranges::is_sorted(reach) || (!reach.empty() && reach.front() < 0)) {
     return "reach_m is not in order or below zero";
   }
@@ -47,6 +54,11 @@ std::string validate_lists(const Report& report, int minute) {
 }
 
 }  // namespace
+
+std::string validate_unmeasured(const Report& report, int tick, const ReportBounds& bounds) {
+  return report.tick == tick ? validate_lists(report, bounds.clock.minute_of(tick))
+                             : "is of tick " + std::to_string(report.tick);
+}
 
 std::string validate(const Report& report, int tick, int last, const ReportBounds& bounds) {
   if (report.tick != tick) {
@@ -68,7 +80,7 @@ std::string validate(const Report& report, int tick, int last, const ReportBound
                             validate_count("completions", report.completions, "possible", installed * minutes),
                             validate_count("demand and waiting", demand, "possible",
                                            std::int64_t{most_passengers_a_minute} * bounds.clock.minutes()),
-                            validate_lists(report, minute),
+                            validate_beside_lists(report), validate_lists(report, minute),
                             validate_count("vehicles", here + vehicles_bound(report), "fleet", bounds.vehicles)}) {
     if (!found.empty()) {
       return found;
@@ -81,6 +93,7 @@ CheckedReports check_reports(const std::vector<Report>& reports, int tick, int l
   const auto regions = static_cast<int>(bounds.points.size());
   CheckedReports checked;
   checked.good.resize(bounds.points.size());
+  checked.readable.resize(bounds.points.size());
   std::vector<bool> heard(bounds.points.size());
   const auto reject = [&](int region, std::string reason) { checked.rejected.push_back({region, std::move(reason)}); };
   for (const Report& report : reports) {
@@ -90,6 +103,9 @@ CheckedReports check_reports(const std::vector<Report>& reports, int tick, int l
     }
     const auto region = static_cast<std::size_t>(report.region);
     std::string why_not = checked.good[region] ? "came twice" : validate(report, tick, last, bounds);
+    if (!checked.readable[region] && validate_unmeasured(report, tick, bounds).empty()) {
+      checked.readable[region] = report;
+    }
     if (why_not.empty()) {
       checked.good[region] = report;
     } else {

@@ -26,11 +26,16 @@ struct ReportBounds {
 /// exists. What it counts may have been counted since `last`, the tick of the plan before (or 0).
 std::string validate(const Report& report, int tick, int last, const ReportBounds& bounds);
 
+/// Likewise of what no sensor measures: its tick, and its lists by themselves. If nothing is wrong there, a number may
+/// lie, but the rest can be used.
+std::string validate_unmeasured(const Report& report, int tick, const ReportBounds& bounds);
+
 /// The reports of a tick that are believed, by region, and why the others are rejected, by region: they are missing, of
 /// no region of the city, the second of their region, or not valid.
 struct CheckedReports {
-  std::vector<std::optional<Report>> good;  ///< by region
-  std::vector<Rejection> rejected;          ///< by region
+  std::vector<std::optional<Report>> good;      ///< by region
+  std::vector<std::optional<Report>> readable;  ///< by region: these, and others whose unmeasured part can be true
+  std::vector<Rejection> rejected;              ///< by region
 };
 /// Checks the reports of a tick one by one.
 CheckedReports check_reports(const std::vector<Report>& reports, int tick, int last, const ReportBounds& bounds);

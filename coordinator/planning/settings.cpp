@@ -57,7 +57,8 @@ constexpr std::array<Count, 6> counts{{
     {"flow_neighbours", &BalancingParameters::flow_neighbours, 1, 10000},
 }};
 
-const std::vector<std::string> supplies = {"completions", "points"};  // by Supply
+const std::vector<std::string> supplies = {"completions", "points"};   // by Supply
+const std::vector<std::string> cures = {"ignore", "flag", "isolate"};  // by SensorFaults
 
 BalancingParameters read_balancing(const YamlValue& value) {
   BalancingParameters out;
@@ -183,6 +184,9 @@ PlanningSettings read_planning(YamlMap& scenario, const std::optional<Command>& 
   if (const auto test = scenario.find("innovation_test")) {
     out.innovation_test = test->boolean();
   }
+  if (const auto cure = scenario.find("sensor_faults")) {
+    out.sensor_faults = static_cast<SensorFaults>(cure->one_of(cures));
+  }
   if (const auto balancing = scenario.find("balancing")) {
     out.balancing = read_balancing(*balancing);
   }
@@ -205,7 +209,9 @@ void write_planning(YamlWriter& yaml, const PlanningSettings& settings) {
   } else {
     yaml.text(std::filesystem::absolute(settings.model).string());
   }
-  yaml.key("innovation_test").boolean(settings.innovation_test).key("balancing").begin_map();
+  yaml.key("innovation_test").boolean(settings.innovation_test);
+  yaml.key("sensor_faults").word(cures[static_cast<std::size_t>(settings.sensor_faults)]);
+  yaml.key("balancing").begin_map();
   for (const Price& price : prices) {
     yaml.key(price.key).number(settings.balancing.*price.field);
   }

@@ -7,6 +7,7 @@
 #include "coordinator/balancing/problem.hpp"
 #include "coordinator/convex/engine.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -19,6 +20,13 @@ namespace evbal {
 /// Parameters of a controller of somebody else's, by name.
 using ControllerParameters = std::map<std::string, std::variant<bool, double, std::string>>;
 
+/// What is done about sensors that lie within what is possible (coordinator/filter).
+enum class SensorFaults : std::uint8_t {
+  ignore = 0,   ///< nothing: what can be true is believed
+  flag = 1,     ///< plans name the fields that lie
+  isolate = 2,  ///< and are made from estimates in their place
+};
+
 /// Who plans, with what, and how much work a plan may cost.
 struct PlanningSettings {
   std::string controller = "robust";  ///< its name
@@ -27,13 +35,14 @@ struct PlanningSettings {
   EngineSettings engine;              ///< which, and its limits
   std::filesystem::path model;        ///< file that `evbal fit` wrote; empty: the one beside the city's pack
   bool innovation_test = false;       ///< whether sets are inflated where recent forecast errors leave them
-  BalancingParameters balancing;      ///< prices and bounds of the problem
+  SensorFaults sensor_faults = SensorFaults::ignore;  ///< what is done about them
+  BalancingParameters balancing;                      ///< prices and bounds of the problem
 };
 
 /// Reads the planning keys of a scenario: controller, coordinator, parameters, engine, iterations, model,
-/// innovation_test, balancing. All may be left out; `model: pack`, the default, is the file beside the city's pack,
-/// another path is relative to the scenario's file. `coordinator`, if it is given, stands in place of the scenario's;
-/// an empty one has no parameters either. Throws Error{bad_input} with file, line and reason.
+/// innovation_test, sensor_faults, balancing. All may be left out; `model: pack`, the default, is the file beside the
+/// city's pack, another path is relative to the scenario's file. `coordinator`, if it is given, stands in place of the
+/// scenario's; an empty one has no parameters either. Throws Error{bad_input} with file, line and reason.
 PlanningSettings read_planning(YamlMap& scenario, const std::optional<Command>& coordinator = {});
 
 /// Reads the command of a coordinator, a list of words; paths are relative to the file. Throws Error{bad_input}.

@@ -86,6 +86,11 @@ void check_plan(const World& world, const Tick& tick, const Plan& plan, const st
   for (const auto& rejection : plan.provenance.rejected) {
     estimated.insert(rejection.region);
   }
+  for (const SensorFlag& flag : plan.provenance.flags) {
+    if (flag.isolated) {
+      estimated.insert(flag.region);
+    }
+  }
   for (const auto& report : reports) {
     if (estimated.contains(report.region)) {
       continue;

@@ -80,6 +80,13 @@ void columns(Visit&& visit, const Totals& t) {
   visit("charger_wait_min", t.charger_wait_min);
   visit("charger_wait_min_per_session", t.charger_wait_min_per_session);
   visit("idle_km_per_served", t.idle_km_per_served);
+  visit("sensor_lies", t.detection.lies);
+  visit("lies_seen_60", t.detection.seen_60);
+  visit("lies_found_30", t.detection.found_30);
+  visit("lies_found_60", t.detection.found_60);
+  visit("lies_found", t.detection.found);
+  visit("lies_found_minutes", t.detection.minutes);
+  visit("false_alarms", t.detection.false_alarms);
 }
 
 }  // namespace evbal

@@ -278,6 +278,7 @@ DayMetrics measure(const MetricsFrame& frame, std::span<const TickRecord> ticks)
     day.regions.insert(day.regions.end(), rows.begin(), rows.end());
   }
   day.totals = totals_of(frame, day);
+  day.totals.detection = detection(frame.clock, ticks);
   day.fleet_conserved = fleet_conserved(ticks);
   return day;
 }

@@ -2,6 +2,7 @@
 
 #include "agents/protocol/tick_record.hpp"
 #include "common/clock.hpp"
+#include "experiments/metrics/detection.hpp"
 #include "experiments/metrics/fairness.hpp"
 
 #include <cstdint>
@@ -93,6 +94,7 @@ struct Totals {
   double charger_wait_min = 0.0;    ///< vehicle-minutes in all
   double charger_wait_min_per_session = 0.0;  ///< over completed sessions
   double idle_km_per_served = 0.0;            ///< km a served passenger
+  Detection detection{};                      ///< of sensors that lie
 };
 
 /// A day, step by step and in all.

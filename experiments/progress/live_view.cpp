@@ -107,6 +107,9 @@ std::string plan_line(const DayClock& clock, const DayState& day) {
   if (!plan.rejected.empty()) {
     text += "; " + std::to_string(plan.rejected.size()) + " reports not believed";
   }
+  if (!plan.flags.empty()) {
+    text += "; " + std::to_string(plan.flags.size()) + " sensors lie";
+  }
   return text;
 }
 

@@ -63,6 +63,8 @@ struct DayFile::Tables {
         moves(database, "moves", row_of(tick_key(0, 0), Move{})),
         costs(database, "plan_costs", row_of(tick_key(0, 0), PlanCost{})),
         rejections(database, "rejections", row_of(tick_key(0, 0), Rejection{})),
+        flags(database, "sensor_flags", row_of(tick_key(0, 0), SensorFlag{})),
+        innovations(database, "innovations", row_of(tick_key(0, 0), FieldInnovations{})),
         departures(database, "departures", row_of({}, Departures{})),
         vehicles(database, "vehicles", row_of(region_key(0, 0, 0), Departure{})),
         fates(database, "fates", row_of(region_key(0, 0, 0), Fate{})),
@@ -80,6 +82,8 @@ struct DayFile::Tables {
   Table moves;
   Table costs;
   Table rejections;
+  Table flags;
+  Table innovations;
   Table departures;
   Table vehicles;
   Table fates;
@@ -98,6 +102,7 @@ struct DayFile::Tables {
   }
 
   void add(const TickRecord& record);
+  void add(const Plan& plan);
 };
 
 std::unique_ptr<DayFile::Tables> DayFile::created_tables(const std::filesystem::path& file) {
@@ -124,6 +129,20 @@ DayFile::DayFile(const std::filesystem::path& file, const std::vector<std::strin
 
 DayFile::~DayFile() = default;
 
+void DayFile::Tables::add(const Plan& plan) {
+  const auto add_all = [&](Table& table, const auto& messages) {
+    for (std::size_t i = 0; i < messages.size(); ++i) {
+      table.add(row_of(tick_key(plan.tick, i), messages[i]));
+    }
+  };
+  plans.add(row_of({}, plan));
+  add_all(moves, plan.moves);
+  add_all(costs, plan.provenance.costs);
+  add_all(rejections, plan.provenance.rejected);
+  add_all(flags, plan.provenance.flags);
+  add_all(innovations, plan.provenance.innovations);
+}
+
 void DayFile::Tables::add(const TickRecord& record) {
   const int tick = record.tick.tick;
   injector.add(row_of({}, record.faults));
@@ -134,18 +153,7 @@ void DayFile::Tables::add(const TickRecord& record) {
     reports.add(row_of({}, report));
   }
   if (record.exchange.plan) {
-    plans.add(row_of({}, *record.exchange.plan));
-    for (std::size_t i = 0; i < record.exchange.plan->moves.size(); ++i) {
-      moves.add(row_of(tick_key(tick, i), record.exchange.plan->moves[i]));
-    }
-    const std::vector<PlanCost>& terms = record.exchange.plan->provenance.costs;
-    for (std::size_t i = 0; i < terms.size(); ++i) {
-      costs.add(row_of(tick_key(tick, i), terms[i]));
-    }
-    const std::vector<Rejection>& rejected = record.exchange.plan->provenance.rejected;
-    for (std::size_t i = 0; i < rejected.size(); ++i) {
-      rejections.add(row_of(tick_key(tick, i), rejected[i]));
-    }
+    add(*record.exchange.plan);
   }
   for (std::size_t i = 0; i < record.seen.size(); ++i) {
     observed.add(row_of(region_key(tick, record.seen[i].region, i), record.seen[i].observed));

@@ -36,6 +36,8 @@ RequestedFault requested(const Fault& fault);
 ///     moves       tick, seq, from_region, to_region, count, errand      what plans ask for
 ///     plan_costs  tick, seq, term, cost                      the plan's objective by term
 ///     rejections  tick, seq, region, reason                  reports that the plan was not made from
+///     sensor_flags  tick, seq, region, field, kind, reported, estimate, isolated   fields that were found to lie
+///     innovations   tick, seq, field, counts, squares, within, expected_within     how well reports were foreseen
 ///     departures  tick, region, refused, demand, ...         what became of the region in the tick
 ///     vehicles    tick, region, seq, minute, to_region, errand, vehicle_id, km, ...      who set off
 ///     fates       tick, region, seq, appeared, waited, served, ...      passengers

@@ -15,6 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr int most_sensors = 8;
+
 void read_summary(const fs::path& file, RecordedRun& run) {
   const auto json = nlohmann::ordered_json::parse(text_of_file(file));
   const auto& solver = json.at("solver");
@@ -111,6 +113,7 @@ RecordedRun read_marked_run(const fs::path& folder) {
     run.ticks = count_ticks(folder / "run.sqlite");
     run.plan_costs = mean_costs(folder / "run.sqlite");
     run.faults = read_faults(folder / "run.sqlite");
+    run.sensors = read_sensors(folder / "run.sqlite", most_sensors);
   } catch (const nlohmann::json::exception& error) {
     throw bad_input((folder / "summary.json").string() + ": " + error.what());
   } catch (const SQLite::Exception& error) {

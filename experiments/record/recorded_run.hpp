@@ -4,6 +4,7 @@
 #include "common/eigen.hpp"
 #include "common/legs.hpp"
 #include "experiments/record/recorded_fault.hpp"
+#include "experiments/record/recorded_sensor.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -37,6 +38,7 @@ struct RecordedRun {
   int ticks = 0;                                     ///< of the day
   std::vector<PlanCost> plan_costs;                  ///< by term, the mean over the plans that were solved for
   std::vector<RecordedFault> faults;                 ///< in the order of the schedule
+  std::vector<RecordedSensor> sensors;               ///< flagged by plans, at most eight
 };
 
 /// Throws Error{bad_input} if `folder` holds no finished run.

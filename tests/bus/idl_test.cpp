@@ -102,6 +102,9 @@ struct IdlType {
   std::string operator()(const Move& /*of*/) const { return "Move"; }
   std::string operator()(const Rejection& /*of*/) const { return "Rejection"; }
   std::string operator()(const PlanCost& /*of*/) const { return "PlanCost"; }
+  std::string operator()(SensorFaultKind /*of*/) const { return "SensorFaultKind"; }
+  std::string operator()(const SensorFlag& /*of*/) const { return "SensorFlag"; }
+  std::string operator()(const FieldInnovations& /*of*/) const { return "FieldInnovations"; }
   std::string operator()(const Departure& /*of*/) const { return "Departure"; }
   std::string operator()(const Fate& /*of*/) const { return "Fate"; }
   std::string operator()(const Observed& /*of*/) const { return "Observed"; }
@@ -133,6 +136,8 @@ TEST(Idl, NamesTheFieldsOfEachStruct) {
   EXPECT_EQ(idl_of.at("Move"), declared<Move>());
   EXPECT_EQ(idl_of.at("Rejection"), declared<Rejection>());
   EXPECT_EQ(idl_of.at("PlanCost"), declared<PlanCost>());
+  EXPECT_EQ(idl_of.at("SensorFlag"), declared<SensorFlag>());
+  EXPECT_EQ(idl_of.at("FieldInnovations"), declared<FieldInnovations>());
   EXPECT_EQ(idl_of.at("Provenance"), declared<Provenance>());
   EXPECT_EQ(idl_of.at("Departure"), declared<Departure>());
   EXPECT_EQ(idl_of.at("Fate"), declared<Fate>());
@@ -166,6 +171,7 @@ TEST(Idl, NamesTheEnumeratorsOfEachEnum) {
   EXPECT_EQ(idl_of.at("OnStart"), enumerated<OnStart>());
   EXPECT_EQ(idl_of.at("ProcessRole"), enumerated<ProcessRole>());
   EXPECT_EQ(idl_of.at("FallbackLevel"), enumerated<FallbackLevel>());
+  EXPECT_EQ(idl_of.at("SensorFaultKind"), enumerated<SensorFaultKind>());
   EXPECT_EQ(renamed("ReportField", "no_field", "none"), enumerated<ReportField>());
   EXPECT_EQ(renamed("NetworkTopic", "all_topics", "all"), enumerated<NetworkTopic>());
 }

@@ -36,12 +36,14 @@ TEST(Planning, GivesItselfBackAsYaml) {
   settings.engine.max_iterations = 77;
   settings.model = "/a \"b\"/model.json";
   settings.innovation_test = true;
+  settings.sensor_faults = SensorFaults::isolate;
   settings.balancing = {0.11, 1.0 / 3.0,      2.0,  0.9, 8.0, 7.0, 6.0,  5.0, 11.0, 0.4, 9.0, 3.0, 4, 5,
                         2.5,  Supply::points, 50.0, 15,  4,   2,   21.0, 9,   0.6,  7.0, 0.8, 1.5};
   const std::string text = planning_yaml(settings);
   const PlanningSettings back = settings_of(text);
   EXPECT_EQ(back.model, settings.model);
   EXPECT_TRUE(back.innovation_test);
+  EXPECT_EQ(back.sensor_faults, SensorFaults::isolate);
   EXPECT_EQ(back.balancing.theta_0, settings.balancing.theta_0);
   EXPECT_EQ(back.balancing.supply, Supply::points);
   EXPECT_EQ(back.balancing.flow_slot, 15);
@@ -51,9 +53,9 @@ TEST(Planning, GivesItselfBackAsYaml) {
 }
 
 TEST(Planning, RefusesWhatIsWrong) {
-  for (const char* wrong :
-       {"controller: robsut\n", "engine: magic\n", "iterations: 0\n", "balancing: {tau: 0}\n",
-        "balancing: {eta: 1.5}\n", "balancing: {thta: 1}\n", "balancing: {supply: point}\n", "balancing: 3\n"}) {
+  for (const char* wrong : {"controller: robsut\n", "engine: magic\n", "iterations: 0\n", "balancing: {tau: 0}\n",
+                            "balancing: {eta: 1.5}\n", "balancing: {thta: 1}\n", "balancing: {supply: point}\n",
+                            "balancing: 3\n", "sensor_faults: find\n"}) {
     EXPECT_THROW(settings_of(wrong), Error) << wrong;
   }
 }

@@ -58,7 +58,8 @@ Json plan_json(const Plan& plan) {
                {"iterations", made.iterations}, {"gap", made.gap},
                {"objective", made.objective},   {"fallback", word(made.fallback)},
                {"reason", made.reason},         {"rejected", made.rejected.size()},
-               {"costs", Json::array()},        {"moves", Json::array()}};
+               {"flags", made.flags.size()},    {"costs", Json::array()},
+               {"moves", Json::array()}};
   for (const auto& [term, cost] : made.costs) {
     json["costs"].push_back({term, cost});
   }

@@ -31,6 +31,13 @@ const std::vector<MetricMeaning>& metric_meanings() {
       {"charger_wait_min", "min", "low-battery cars' waiting where there is a station, summed over cars"},
       {"charger_wait_min_per_session", "min", "the same over completed sessions"},
       {"idle_km_per_served", "km", "idle_km / served"},
+      {"sensor_lies", "", "fields that sensor faults falsified, region by region"},
+      {"lies_seen_60", "", "of them, those whose region was flagged within 60 min"},
+      {"lies_found_30", "", "those whose field was flagged within 30 min"},
+      {"lies_found_60", "", "those whose field was flagged within 60 min"},
+      {"lies_found", "", "those whose field was flagged before they ended"},
+      {"lies_found_minutes", "min", "that passed until lies were found, in all"},
+      {"false_alarms", "", "fields flagged in a region where no sensor lies, or did in the last hour"},
   };
   return all;
 }

@@ -78,6 +78,20 @@ Json minutes_json(const std::optional<int>& minutes) {
   return minutes ? Json(*minutes) : Json(nullptr);
 }
 
+/// A flagged field: [minute, reported, estimate, truth] of each report.
+Json sensor_json(const RecordedRun& run, const RecordedSensor& sensor) {
+  const int minutes_per_tick =
+      run.step_minutes * static_cast<int>(run.steps.at("step").size()) / std::max(1, run.ticks);
+  Json json = {{"region", sensor.region}, {"field", sensor.field}, {"kinds", sensor.kinds}};
+  json["readings"] = Json::array();
+  for (const SensorReading& reading : sensor.readings) {
+    json["readings"].push_back({reading.tick * minutes_per_tick, reading.reported,
+                                reading.estimate ? Json(*reading.estimate) : Json(nullptr),
+                                reading.truth ? Json(*reading.truth) : Json(nullptr)});
+  }
+  return json;
+}
+
 /// What the faults cost, metric by metric.
 Json costs_json(const RecordedRun& run, const RecordedRun& twin) {
   Json costs = Json::array();
@@ -127,7 +141,8 @@ Json run_json(const ReportedRun& run, const std::string& label) {
                {"steps", run.steps},
                {"timings", Json::array()},
                {"plan_costs", Json::array()},
-               {"faults", Json::array()}};
+               {"faults", Json::array()},
+               {"sensors", Json::array()}};
   for (const auto& [term, cost] : run.plan_costs) {
     json["plan_costs"].push_back({{"term", term}, {"cost", cost}});
   }
@@ -142,6 +157,9 @@ Json run_json(const ReportedRun& run, const std::string& label) {
   }
   for (const auto& fault : run.faults) {
     json["faults"].push_back(fault_json(run, fault));
+  }
+  for (const RecordedSensor& sensor : run.sensors) {
+    json["sensors"].push_back(sensor_json(run, sensor));
   }
   if (run.without_faults) {
     json["without_faults"] = {{"steps", run.without_faults->steps}};

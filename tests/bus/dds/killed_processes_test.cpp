@@ -129,6 +129,27 @@ TEST_F(KilledProcessesTest, TheCoordinatorCostsNothing) {
   expect_undisturbed({"coordinator"}, kills(3, 20));
 }
 
+// The filter that finds them is in no journal: the new coordinator works it out again from the reports of the day.
+TEST_F(KilledProcessesTest, TheCoordinatorCostsNothingWhileSensorsLie) {
+  scenario_.planning.sensor_faults = SensorFaults::isolate;
+  scenario_.schedule.faults = {{.name = "boast",
+                                .type = EffectType::sensor_biased,
+                                .regions = {1},
+                                .magnitudes = {7.0},
+                                .start = 60,
+                                .duration = 180,
+                                .field = ReportField::vacant},
+                               {.name = "silence",
+                                .type = EffectType::sensor_off,
+                                .regions = {3},
+                                .magnitudes = {0.0},
+                                .start = 90,
+                                .duration = 200,
+                                .field = ReportField::demand}};
+  write_scenario();
+  expect_undisturbed({"coordinator"}, kills(3, 20));
+}
+
 TEST_F(KilledProcessesTest, TheInjectorCostsNothing) {
   expect_undisturbed({"faults"}, kills(2, 5));
 }

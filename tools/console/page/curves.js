@@ -43,7 +43,8 @@ function planTable() {
   const words = timeOf(tick.tick) + ": " + plan.controller + (plan.engine ? " by " + plan.engine + ", " +
     plan.iterations + " iterations" : "") + ", " + plan.moves.length + " moves" +
     (plan.fallback === "none" ? "" : "; fell back to " + plan.fallback + ": " + plan.reason) +
-    (plan.rejected > 0 ? "; " + plan.rejected + " reports not believed" : "");
+    (plan.rejected > 0 ? "; " + plan.rejected + " reports not believed" : "") +
+    (plan.flags > 0 ? "; " + plan.flags + " sensors lie" : "");
   const rows = plan.costs.map(([term, cost]) => [term, brief(cost)]);
   return [element("p", "", words),
     ...(rows.length > 0 ? [table(["term", "km"], [...rows, ["objective", brief(plan.objective)]])] : [])];

@@ -195,6 +195,7 @@ function addRuns() {
   if (report.windows.length > 0) {
     addFaults();
   }
+  addSensors();
   if (report.map) {
     addMap();
   }

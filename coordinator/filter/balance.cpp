@@ -1,0 +1,67 @@
+#include "coordinator/filter/balance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace evbal {
+namespace {
+
+// Of those for whom no car came in time, and of the others who waited; on training days.
+constexpr double give_up_without_a_car = 0.75;
+constexpr double give_up_before_a_car = 0.1;
+constexpr double likeness = 0.01;     ///< correlation between two cars' coming out low, on training days
+constexpr double least_noise = 0.01;  ///< variance of what no count tells, such as a car that was not sent off
+
+/// Of how many come out low of the cars that come free: those of a place and hour are alike.
+double variance_of_low(const RegionWindow& window) {
+  const double free = come_free(window);
+  return free * window.low_share * (1.0 - window.low_share) * (1.0 + likeness * std::max(0.0, free - 1.0));
+}
+
+}  // namespace
+
+double come_free(const RegionWindow& window) {
+  return window.came_vacant + window.ended + window.dropped_off;
+}
+
+double given_up(const RegionCounts& before, const RegionWindow& window) {
+  const double without = std::max(0.0, before.waiting - before.vacant - come_free(window));
+  return give_up_without_a_car * without + give_up_before_a_car * (before.waiting - without);
+}
+
+StockChange stock_change(const RegionWindow& window, const PickUps& picked_up) {
+  const double free = come_free(window);
+  const double low = window.low_share * free;
+  const double which = variance_of_low(window);
+  const double began = window.begun_variance;
+  const double ended = window.ended_variance;
+  StockChange out;
+  out.change << free - low - window.left_vacant - window.topped_up - picked_up.expected, 0.0,
+      window.came_low + low + window.topped_up - window.left_low - window.begun, window.begun - window.ended;
+  const double vacant = picked_up.variance + window.dropped_off + window.slack + which + ended + least_noise;
+  out.noise << vacant, 0.0, -which, -ended,  //
+      0.0, least_noise, 0.0, 0.0,            //
+      -which, 0.0, which + began + least_noise, -began, -ended, 0.0, -began, began + ended + least_noise;
+  return out;
+}
+
+Excess excess_of(const RegionCounts& before, const RegionWindow& window, const RegionCounts& reported, double demand) {
+  const double picked_up = before.waiting + demand - reported.waiting;
+  const double cars = before.vacant + before.low_battery + window.came_vacant + window.came_low + window.ended -
+                      window.begun - window.left_vacant - window.left_low - picked_up;
+  const double low = before.low_battery + window.came_low + window.topped_up - window.left_low - window.begun;
+  const double lost = given_up(before, window);
+  Excess excess;
+  excess.cars = static_cast<int>(std::lround(reported.vacant + reported.low_battery - cars));
+  excess.low = static_cast<int>(std::lround(reported.low_battery - low));
+  excess.expected = window.dropped_off + lost;
+  excess.variance_low = variance_of_low(window);
+  excess.expected_low = window.low_share * come_free(window);
+  excess.variance = window.dropped_off + lost + window.slack;
+  excess.contradiction = reported.vacant > 0.0 && reported.waiting > 0.0;
+  const double early = reported.vacant > 0.0 ? 0.0 : std::ceil(window.may_give_up * demand);
+  excess.slack = window.slack + static_cast<int>(std::lround(before.waiting + early));
+  return excess;
+}
+
+}  // namespace evbal

@@ -1,0 +1,21 @@
+#include "coordinator/filter/evidence.hpp"
+
+#include "coordinator/filter/count_law.hpp"
+
+#include <algorithm>
+
+namespace evbal {
+
+void Evidence::add(const Excess& excess) {
+  const double contradicted = excess.contradiction ? of_a_contradiction : 0.0;
+  sum_ += surprise(excess.cars, excess.expected, excess.slack) + contradicted - usual;
+  const int foreseen = std::clamp(excess.cars, 0, excess.slack);
+  cars_ += excess.cars - foreseen - excess.expected;
+  low_ += excess.low - excess.expected_low;
+  variance_ += excess.variance;
+  if (sum_ <= 0.0) {
+    clear();
+  }
+}
+
+}  // namespace evbal

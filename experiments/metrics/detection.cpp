@@ -1,0 +1,125 @@
+#include "experiments/metrics/detection.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace evbal {
+namespace {
+
+constexpr int aftermath = 60;  ///< minutes after a lie in which its region's flags are no false alarms
+
+/// What one sensor fault does to one region.
+struct LieWindow {
+  int region = 0;
+  ReportField field = ReportField::none;
+  std::optional<int> first_false{};  ///< tick of the first report that it falsifies
+  int last = 0;                      ///< tick in which it acts
+};
+
+bool changed(const TickRecord& record, const Effect& effect) {
+  for (const Departures& said : record.exchange.departures) {
+    if (said.region == effect.region) {
+      return std::ranges::any_of(
+          said.observed, [&](const Observed& seen) { return seen.fault == effect.fault && seen.amount != 0.0; });
+    }
+  }
+  return false;
+}
+
+std::vector<LieWindow> lies_of(std::span<const TickRecord> ticks) {
+  std::map<std::pair<int, int>, LieWindow> windows;  // by fault and region
+  for (const TickRecord& record : ticks) {
+    for (const Effect& effect : record.faults.effects) {
+      if (family_of(effect.type) != FaultFamily::sensor) {
+        continue;
+      }
+      LieWindow& window = windows[{effect.fault, effect.region}];
+      window.region = effect.region;
+      window.field = effect.field;
+      window.last = record.tick.tick;
+      if (!window.first_false && changed(record, effect)) {
+        window.first_false = record.tick.tick;
+      }
+    }
+  }
+  std::vector<LieWindow> lies;
+  for (const auto& [which, window] : windows) {
+    lies.push_back(window);
+  }
+  return lies;
+}
+
+/// Ticks of plans that flag a field of a region, ascending.
+using Flagged = std::map<std::pair<int, ReportField>, std::vector<int>>;
+
+Flagged flags_of(std::span<const TickRecord> ticks) {
+  Flagged flagged;
+  for (const TickRecord& record : ticks) {
+    if (record.exchange.plan) {
+      for (const SensorFlag& flag : record.exchange.plan->provenance.flags) {
+        flagged[{flag.region, flag.field}].push_back(record.tick.tick);
+      }
+    }
+  }
+  return flagged;
+}
+
+/// Minutes from a lie's first false report until a plan flags this field.
+std::optional<int> minutes_until(const std::vector<int>& flagged, const LieWindow& lie, const DayClock& clock) {
+  const auto first = std::ranges::lower_bound(flagged, *lie.first_false);
+  return first == flagged.end() || *first > lie.last
+             ? std::nullopt
+             : std::optional(clock.minute_of(*first) - clock.minute_of(*lie.first_false));
+}
+
+void judge(const LieWindow& lie, const Flagged& flagged, const DayClock& clock, Detection& sum) {
+  std::optional<int> seen;
+  for (const auto& [what, at] : flagged) {
+    const auto minutes = what.first == lie.region ? minutes_until(at, lie, clock) : std::nullopt;
+    if (minutes) {
+      seen = std::min(seen.value_or(*minutes), *minutes);
+    }
+    if (minutes && what.second == lie.field) {
+      ++sum.found;
+      sum.found_30 += *minutes <= 30 ? 1 : 0;
+      sum.found_60 += *minutes <= 60 ? 1 : 0;
+      sum.minutes += *minutes;
+    }
+  }
+  ++sum.lies;
+  sum.seen_60 += seen && *seen <= 60 ? 1 : 0;
+}
+
+}  // namespace
+
+Detection detection(const DayClock& clock, std::span<const TickRecord> ticks) {
+  const std::vector<LieWindow> lies = lies_of(ticks);
+  const Flagged flagged = flags_of(ticks);
+  Detection sum;
+  for (const LieWindow& lie : lies) {
+    if (lie.first_false) {
+      judge(lie, flagged, clock, sum);
+    }
+  }
+  for (const auto& [what, at] : flagged) {
+    int before = -clock.plan_every;
+    for (const int tick : at) {
+      const int minute = clock.minute_of(tick);
+      const bool begins = minute - before > clock.plan_every;
+      const bool explained = std::ranges::any_of(lies, [&](const LieWindow& lie) {
+        return lie.region == what.first && lie.first_false && *lie.first_false <= tick &&
+               minute <= clock.minute_of(lie.last) + aftermath;
+      });
+      sum.false_alarms += begins && !explained ? 1 : 0;
+      before = minute;
+    }
+  }
+  return sum;
+}
+
+}  // namespace evbal

@@ -1,0 +1,131 @@
+#include "coordinator/filter/fleet_filter.hpp"
+
+#include <gtest/gtest.h>
+
+namespace evbal {
+namespace {
+
+/// Three regions with ten vacant cars each and no charger. In ten minutes two passengers appear in region 0 and one in
+/// region 1, all are picked up, and none has arrived.
+class FleetFilterTest : public testing::Test {
+ protected:
+  FleetFilterTest()
+      : filter_({30, Eigen::VectorXi::Zero(3), 20.0, Eigen::MatrixXd::Constant(3, 3, 15.0),
+                 [](double /*so_far*/, double /*minutes*/) { return 0.0; }}) {
+    hear(0, {said(0, 10, 0), said(1, 10, 0), said(2, 10, 0)});
+  }
+
+  static Report said(int region, int vacant, int demand) {
+    Report report;
+    report.region = region;
+    report.vacant = vacant;
+    report.demand = demand;
+    return report;
+  }
+
+  /// Their passengers and how many cars carry them now.
+  static std::vector<std::optional<Report>> truth() { return {said(0, 8, 2), said(1, 9, 1), said(2, 10, 0)}; }
+
+  FleetFilter::Result hear(int tick, std::vector<std::optional<Report>> reports, int riding = 0) {
+    Tick announced;
+    announced.tick = tick;
+    announced.due = {0, 1, 2};
+    if (riding > 0) {
+      announced.under_way = {{2, 5 * tick + 20, Errand::passenger, riding}};
+    }
+    for (auto& report : reports) {
+      if (report) {
+        report->tick = tick;
+      }
+    }
+    const Eigen::VectorXd demand = Eigen::VectorXd::Constant(3, 2.0);
+    return filter_.observe(announced, 5 * tick, reports, {}, {{}, demand, 1.4});
+  }
+
+  FleetFilter filter_;
+};
+
+using Flags = std::vector<SensorFlag>;
+
+TEST_F(FleetFilterTest, BelievesTheTruth) {
+  const auto result = hear(2, truth(), 3);
+  EXPECT_EQ(result.flags, Flags{});
+  EXPECT_EQ(result.reports[0].vacant, 8);
+  EXPECT_EQ(filter_.variance(), Eigen::VectorXd::Zero(3));
+}
+
+TEST_F(FleetFilterTest, BelievesASpike) {
+  EXPECT_EQ(hear(2, {said(0, 1, 9), said(1, 9, 1), said(2, 10, 0)}, 10).flags, Flags{});
+}
+
+TEST_F(FleetFilterTest, TakesWhatIsNotSaidFromTheFleet) {
+  auto reports = truth();
+  reports[1]->vacant = -1;
+  const auto result = hear(2, reports, 3);
+  EXPECT_EQ(result.flags, (Flags{{1, ReportField::vacant, SensorFaultKind::silent, -1, 9, false}}));
+  EXPECT_EQ(result.reports[1].vacant, 9);
+  EXPECT_EQ(result.reports[1].demand, 1) << "the rest of the report is used";
+}
+
+TEST_F(FleetFilterTest, TakesARegionThatIsNotHeardFromTheFleet) {
+  auto reports = truth();
+  reports[0].reset();
+  const auto result = hear(2, reports, 3);
+  EXPECT_EQ(result.flags, Flags{});
+  EXPECT_EQ(result.reports[0].vacant, 8);
+  EXPECT_EQ(result.reports[0].demand, 0);
+  EXPECT_LT(filter_.variance()(0), 0.2);
+}
+
+TEST_F(FleetFilterTest, SharesWhatIsLeftAmongThoseWhoAreNotHeard) {
+  auto reports = truth();
+  reports[0].reset();
+  reports[1].reset();
+  const auto result = hear(2, reports, 3);
+  EXPECT_NEAR(result.reports[0].vacant + result.reports[1].vacant, 17, 1) << "each is rounded";
+  EXPECT_GT(filter_.variance()(0), 0.5);
+}
+
+TEST_F(FleetFilterTest, AccusesVacantCarsIfTheFleetHasTooMany) {
+  auto reports = truth();
+  reports[0]->vacant += 6;
+  EXPECT_EQ(hear(2, reports, 3).flags, (Flags{{0, ReportField::vacant, SensorFaultKind::biased, 14, 8, false}}));
+}
+
+TEST_F(FleetFilterTest, AccusesVacantCarsIfTheFleetHasOneTooFew) {
+  auto reports = truth();
+  reports[1]->vacant -= 1;
+  EXPECT_EQ(hear(2, reports, 3).flags, (Flags{{1, ReportField::vacant, SensorFaultKind::biased, 8, 9, false}}));
+}
+
+TEST_F(FleetFilterTest, AccusesLowBatteryCarsIfTheyAreTheOnesTooMany) {
+  auto reports = truth();
+  reports[0]->low_battery += 6;
+  EXPECT_EQ(hear(2, reports, 3).flags, (Flags{{0, ReportField::low_battery, SensorFaultKind::biased, 6, 0, false}}));
+}
+
+TEST_F(FleetFilterTest, AccusesDemandIfTheFleetComesOut) {
+  auto reports = truth();
+  reports[0]->demand += 7;
+  EXPECT_EQ(hear(2, reports, 3).flags, (Flags{{0, ReportField::demand, SensorFaultKind::biased, 9, 2, false}}));
+}
+
+TEST_F(FleetFilterTest, AccusesWaitingBesideVacantCars) {
+  auto reports = truth();
+  reports[0]->waiting += 4;
+  EXPECT_EQ(hear(2, reports, 3).flags, (Flags{{0, ReportField::waiting, SensorFaultKind::biased, 4, 0, false}}));
+}
+
+TEST_F(FleetFilterTest, BelievesAFieldAgainOnceItHasAgreedThreeTimes) {
+  auto reports = truth();
+  reports[0]->vacant += 6;
+  hear(2, reports, 3);
+  const auto quiet = [&] { return std::vector<std::optional<Report>>{said(0, 8, 0), said(1, 9, 0), said(2, 10, 0)}; };
+  EXPECT_EQ(hear(4, quiet(), 3).flags.size(), 1U);
+  EXPECT_EQ(hear(6, quiet(), 3).flags.size(), 1U);
+  EXPECT_EQ(hear(8, quiet(), 3).flags, Flags{});
+  EXPECT_EQ(filter_.variance(), Eigen::VectorXd::Zero(3));
+}
+
+}  // namespace
+}  // namespace evbal
