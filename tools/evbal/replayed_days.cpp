@@ -13,12 +13,13 @@
 namespace evbal {
 namespace {
 
-std::string name_of(const SweptDay& day) {
-  std::string name = day.scenario + " " + day.variant;
-  for (const auto& [path, value] : day.settings) {
-    name.append(" ").append(path).append("=").append(value);
-  }
-  return name + (day.faults.empty() ? "" : " " + day.faults) + " " + day.day + " seed " + std::to_string(day.seed);
+bool is_of(const FinishedDay& stored, const SweptDay& day) {
+  return stored.scenario == day.scenario && stored.variant == day.variant && stored.faults == day.faults &&
+         stored.day == day.day && stored.seed == day.seed &&
+         std::all_of(day.settings.begin(), day.settings.end(), [&](const auto& setting) {
+           const auto at = stored.settings.find(setting.first);
+           return at != stored.settings.end() && at->second == setting.second;
+         });
 }
 
 }  // namespace
@@ -38,9 +39,8 @@ std::vector<std::size_t> random_choice(std::size_t count, std::size_t all, Rando
 std::string replay_days(const Sweep& sweep, const std::filesystem::path& file, std::size_t count, std::uint64_t seed,
                         const PlayingOptions& options) {
   const std::vector<FinishedDay> stored = read_finished(file);
-  if (stored.size() != sweep.days.size()) {
-    throw bad_input(file.string() + ": holds " + std::to_string(stored.size()) + " days, of which the sweep has " +
-                    std::to_string(sweep.days.size()) + " now; play it to its end first");
+  if (!std::equal(stored.begin(), stored.end(), sweep.days.begin(), sweep.days.end(), is_of)) {
+    throw bad_input(file.string() + ": holds other days than the sweep has now; play it to its end first");
   }
   RandomStream random(seed, Purpose::verified_day, {});
   const auto chosen = random_choice(std::min(count, stored.size()), stored.size(), random);
@@ -56,7 +56,7 @@ std::string replay_days(const Sweep& sweep, const std::filesystem::path& file, s
   for (std::size_t i = 0; i < played.size(); ++i) {
     const FinishedDay& before = stored[chosen[i]];
     if (played[i].digest != before.digest) {
-      others += "\n  " + name_of(again.days[i]) + ": digest " + played[i].digest + ", not " + before.digest;
+      others += "\n  " + label_of(again.days[i]) + ": digest " + played[i].digest + ", not " + before.digest;
     }
   }
   if (!others.empty()) {

@@ -231,6 +231,14 @@ SweptDay day_of(const PlannedReplication& replication, const std::string& varian
   return day;
 }
 
+std::string label_of(const SweptDay& day) {
+  std::string text = (day.scenario.empty() ? "" : day.scenario + " ") + day.variant;
+  for (const auto& [path, value] : day.settings) {
+    text.append(" ").append(path).append("=").append(value);
+  }
+  return text + (day.faults.empty() ? "" : " " + day.faults) + " " + day.day + " seed " + std::to_string(day.seed);
+}
+
 Scenario scenario_of(const SweptDay& day) {
   Scenario scenario =
       read_scenario(day.yaml, {.controller = day.controller, .coordinator = day.coordinator, .transport = "inproc"});

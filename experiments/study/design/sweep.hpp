@@ -61,6 +61,9 @@ std::vector<std::size_t> days_to_bound(const Sweep& sweep, const BoundWish& wish
 SweptDay day_of(const PlannedReplication& replication, const std::string& variant, const ChosenController& controller,
                 const std::vector<Setting>& settings);
 
+/// What a day is called in messages: its scenario, variant, settings, faults, date and seed.
+std::string label_of(const SweptDay& day);
+
 /// The day's scenario: one controller, one process, nothing expected. Throws Error{bad_input}.
 Scenario scenario_of(const SweptDay& day);
 

@@ -11,14 +11,6 @@
 namespace evbal {
 namespace {
 
-std::string label(const SweptDay& day) {
-  std::string text = (day.scenario.empty() ? "" : day.scenario + " ") + day.variant;
-  for (const auto& [path, value] : day.settings) {
-    text.append(" ").append(path).append("=").append(value);
-  }
-  return text + (day.faults.empty() ? "" : " " + day.faults) + " " + day.day + " seed " + std::to_string(day.seed);
-}
-
 /// The first day of each key that has no result.
 std::vector<std::size_t> to_do(const std::vector<std::string>& keys, std::set<std::string> finished) {
   std::vector<std::size_t> days;
@@ -61,7 +53,7 @@ std::vector<FailedDay> do_days(const Sweep& sweep, const std::vector<std::string
       const bool again = !complaint.empty() && !last_time;
       ended += again ? 0 : 1;
       if (on_day_ended) {
-        on_day_ended({.day = label(sweep.days[i]),
+        on_day_ended({.day = label_of(sweep.days[i]),
                       .failed = !complaint.empty(),
                       .again = again,
                       .ended = ended,
@@ -79,7 +71,7 @@ std::vector<FailedDay> do_days(const Sweep& sweep, const std::vector<std::string
   }
   std::vector<FailedDay> failed_twice;
   for (const auto& [i, reason] : failed) {
-    failed_twice.push_back({label(sweep.days[i]), reason});
+    failed_twice.push_back({label_of(sweep.days[i]), reason});
   }
   return failed_twice;
 }

@@ -42,6 +42,9 @@ TEST(Sweep, SaysWhichDaysComeOutOtherwiseWhenPlayedAgain) {
   EXPECT_NE(again.err.find("days that came out otherwise:\n"), std::string::npos) << again.err;
   EXPECT_NE(again.err.find(", not another"), std::string::npos) << again.err;
   EXPECT_EQ(lines_of(again.err), 2) << again.err;
+  const Ended whole = line.evbal("sweep " + small + " --out played --replay 1 --quiet");
+  EXPECT_EQ(whole.status, 2) << whole.err;
+  EXPECT_NE(whole.err.find("holds other days than the sweep has now"), std::string::npos) << whole.err;
 }
 
 TEST(Sweep, GoesOnAfterAKillAndGivesTheSameBytesForAnyNumberOfJobs) {
