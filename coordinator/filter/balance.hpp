@@ -34,8 +34,8 @@ struct RegionWindow {
 
 /// Passengers who were picked up, and what is not known of them.
 struct PickUps {
-  double expected = 0.0;
-  double variance = 0.0;
+  double expected = 0.0;  ///< passengers
+  double variance = 0.0;  ///< of their number
 };
 
 /// Cars that come free in a window, each of which may be low.
@@ -46,8 +46,8 @@ double given_up(const RegionCounts& before, const RegionWindow& window);
 
 /// What comes and goes in a window in which so many were picked up; the occupied cars due are left out.
 struct StockChange {
-  StockVector change = StockVector::Zero();
-  StockMatrix noise = StockMatrix::Zero();
+  StockVector change = StockVector::Zero();  ///< cars that come less cars that go
+  StockMatrix noise = StockMatrix::Zero();   ///< covariance of what is not known of it
 };
 /// See StockChange. Uncertain are pick-ups, drop-offs of short trips, who of the cars that come free is low, and
 /// sessions that were not counted; each is an independent count whose variance grows with its mean.

@@ -26,7 +26,9 @@ class StockFilter {
  public:
   /// Starts from counts with independent errors.
   StockFilter(const StockVector& counts, const StockVector& variances);
+  /// Moves; the one that is left may only be assigned to or end.
   StockFilter(StockFilter&&) noexcept;
+  /// Moves, as above.
   StockFilter& operator=(StockFilter&&) noexcept;
   ~StockFilter();
 

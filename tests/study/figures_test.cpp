@@ -115,9 +115,9 @@ TEST(StudyFigures, StandOnThePageBeforeItsTables) {
   const std::string text = page_markdown(page, {drawn_days()}, "evbal sweep s.yaml");
   std::size_t at = 0;
   for (const char* part :
-       {"# T\n\n**Ask ", "\n![The questions, and what came out](figures/1-forest.svg)\n",
-        "\n**Figure 1.** Look.\n", "\n> **Decided after results were seen.** One.\n> \n> Two.\n",
-        "\n## How to read it\n\nRead so.\n", "\n## Appendix: tables\n", "\n### Primary endpoints\n", "\n### S\n"}) {
+       {"# T\n\n**Ask ", "\n![The questions, and what came out](figures/1-forest.svg)\n", "\n**Figure 1.** Look.\n",
+        "\n> **Decided after results were seen.** One.\n> \n> Two.\n", "\n## How to read it\n\nRead so.\n",
+        "\n## Appendix: tables\n", "\n### Primary endpoints\n", "\n### S\n"}) {
     const std::size_t found = text.find(part, at);
     ASSERT_NE(found, std::string::npos) << part << "\nis not, or not in its place, in\n" << text;
     at = found;

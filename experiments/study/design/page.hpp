@@ -19,7 +19,8 @@ struct PrimaryEndpoint {
   std::string against;   ///< variant, by name
   std::string metric;    ///< by name
 
-  bool operator==(const PrimaryEndpoint& other) const = default;
+  /// Whether all of these are the same.
+  bool operator==(const PrimaryEndpoint&) const = default;
 };
 
 /// Variants side by side, paired, each against each reference.

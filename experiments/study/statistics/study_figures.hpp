@@ -53,15 +53,15 @@ struct SlopePanel {
 
 /// A figure, and what it shows.
 struct StudyFigure {
-  FigureKind kind = FigureKind::fronts;
-  std::string name;                   ///< of its file, without a suffix: "1-fronts"
-  std::string title;                  ///< above it
-  std::string caption;                ///< from the sweep's file, Markdown
-  std::string from{};                 ///< of slopes: the reference, in words
-  std::string to{};                   ///< of slopes: the variant, in words
-  std::vector<FrontPanel> fronts{};   ///< of fronts
-  std::vector<FigureGroup> groups{};  ///< of claims, forest, ablation and map
-  std::vector<SlopePanel> slopes{};   ///< of slopes
+  FigureKind kind = FigureKind::fronts;  ///< how it is drawn
+  std::string name;                      ///< of its file, without a suffix: "1-fronts"
+  std::string title;                     ///< above it
+  std::string caption;                   ///< from the sweep's file, Markdown
+  std::string from{};                    ///< of slopes: the reference, in words
+  std::string to{};                      ///< of slopes: the variant, in words
+  std::vector<FrontPanel> fronts{};      ///< of fronts
+  std::vector<FigureGroup> groups{};     ///< of claims, forest, ablation and map
+  std::vector<SlopePanel> slopes{};      ///< of slopes
 };
 
 /// What a kind of figure is called.
