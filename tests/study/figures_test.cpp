@@ -1,6 +1,6 @@
 #include "common/error.hpp"
-#include "experiments/study/statistics/page_markdown.hpp"
 #include "experiments/study/statistics/study_figures.hpp"
+#include "tests/study/whole_page.hpp"
 
 #include <gtest/gtest.h>
 
@@ -112,7 +112,7 @@ TEST(StudyFigures, StandOnThePageBeforeItsTables) {
                                  "figures: [{forest: primaries, caption: Look.}]\nsections: [{title: S}]\n",
                                  "sweep.yaml"),
                 known);
-  const std::string text = page_markdown(page, {drawn_days()}, "evbal sweep s.yaml");
+  const std::string text = whole_page(page, {drawn_days()}, "evbal sweep s.yaml");
   std::size_t at = 0;
   for (const char* part :
        {"# T\n\n**Ask ", "\n![The questions, and what came out](figures/1-forest.svg)\n", "\n**Figure 1.** Look.\n",

@@ -1,6 +1,6 @@
 #include "common/error.hpp"
-#include "experiments/study/statistics/page_markdown.hpp"
 #include "experiments/study/statistics/primaries.hpp"
+#include "tests/study/whole_page.hpp"
 
 #include <gtest/gtest.h>
 
@@ -37,7 +37,7 @@ std::vector<FinishedDay> three_days() {
 }
 
 std::string page(const std::string& sections) {
-  return page_markdown(read(sections), {three_days()}, "evbal sweep a.yaml");
+  return whole_page(read(sections), {three_days()}, "evbal sweep a.yaml");
 }
 
 void expect_in(const std::string& part, const std::string& text) {
@@ -132,8 +132,7 @@ TEST(Page, ComparesFronts) {
   for (const auto& [day, lost] : {std::pair("d1", 50.0), std::pair("d2", 51.0), std::pair("d3", 49.0)}) {
     days.push_back(day_of("new", "2", day, 25, lost - 20.0));
   }
-  const std::string text =
-      page_markdown(read("- {title: One, fronts: {variants: [new], against: [ref]}}\n"), {days}, "");
+  const std::string text = whole_page(read("- {title: One, fronts: {variants: [new], against: [ref]}}\n"), {days}, "");
   expect_in("| toy | calm | new | ref | lost | 15.0 .. 20.0 | 135 | 270 | -50.0 % | -49.7 % |",
             text);  // 45.5 of 90.5, from 15 to 20 km
   expect_in("| 3 | 0 | 3 of 6 | 50 % |", text);
@@ -145,7 +144,7 @@ TEST(Page, SaysWhenAnAimIsMissed) {
   const Page asked = read(
       "- {title: One, compare: {variants: [new], against: [ref], metrics: [lost], at: idle_km,"
       " aims: {lost: -49}, primary: {scenario: toy}}}\n");
-  const std::string text = page_markdown(asked, {days}, "");
+  const std::string text = whole_page(asked, {days}, "");
   expect_in("Higher: none. No difference is shown: `new` against `ref`, lost, toy calm.\n", text);
   expect_in("missed (", text);
 }
@@ -165,7 +164,7 @@ TEST(Page, PricesDays) {
                                                 "- {title: B, means: {variants: [new], metrics: [objective]}}\n",
                                                 "sweep.yaml"),
                                names);
-  expect_in("| toy | calm | new | 115 ± 4.97 |", page_markdown(asked, {with_objective(asked, three_days())}, ""));
+  expect_in("| toy | calm | new | 115 ± 4.97 |", whole_page(asked, {with_objective(asked, three_days())}, ""));
   EXPECT_THROW(read("- {title: B, means: {variants: [new], metrics: [objective]}}\n"), Error);
   EXPECT_THROW(
       read_page(YamlValue::parse("title: A\nobjective: {served: -1}\nsections: [{title: B}]\n", "sweep.yaml"), names),
@@ -179,7 +178,7 @@ TEST(Page, KeepsItsTablesWhateverScenariosAndFaultsAreCalled) {
     day.faults = "a|b";
     day.settings["price"] = "[1|2]";
   }
-  const std::string text = page_markdown(
+  const std::string text = whole_page(
       read("- {title: A, means: {variants: [new], metrics: [lost]}}\n- {title: B, settings: {variants: [ref]}}\n"
            "- {title: C, compare: {variants: [new], against: [ref], metrics: [lost], at: idle_km}}\n"),
       {days}, "");

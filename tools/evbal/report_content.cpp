@@ -159,7 +159,7 @@ std::vector<SweptBound> swept_bounds(const PageDays& days) {
 
 /// What the sweep's page answers; nothing if it has none.
 SweptAnswers swept_answers(const StudyPage& study) {
-  return {study_text(study), study_figures(study.page, study.days, study.primaries)};
+  return {study_text(study), study.figures};
 }
 
 SweepContent sweep_content(const fs::path& folder, const StudyPage& study, std::vector<std::string> against) {

@@ -2,7 +2,6 @@
 
 #include "common/error.hpp"
 #include "common/files.hpp"
-#include "experiments/study/statistics/study_figures.hpp"
 #include "experiments/study/store/sweep_file.hpp"
 #include "experiments/study/store/sweep_folder.hpp"
 #include "tools/evbal/bounded_days.hpp"
@@ -22,15 +21,16 @@ StudyPage read_study_page(const fs::path& folder) {
   study.page = page_of(study.origin.text, days);
   study.days = {with_objective(study.page, days), kept_bounds(file, days)};
   study.primaries = primary_answers(study.page, study.days.days);
+  study.figures = study_figures(study.page, study.days, study.primaries);
   return study;
 }
 
 PageText study_text(const StudyPage& study) {
-  return page_text(study.page, study.days, study.origin.command);
+  return page_text(study.page, study.days, study.primaries, study.origin.command);
 }
 
 void write_study_page(const fs::path& folder, const StudyPage& study) {
-  write_file(folder / "page.md", page_markdown(study.page, study.days, study.origin.command));
+  write_file(folder / "page.md", page_markdown(study.page.title, study_text(study), study.figures));
   fs::remove_all(folder / "figures");
   if (study.page.figures.empty()) {
     return;
@@ -44,14 +44,13 @@ void write_study_page(const fs::path& folder, const StudyPage& study) {
 }
 
 fs::path write_study_figures(const fs::path& folder, const StudyPage& study) {
-  const auto figures = study_figures(study.page, study.days, study.primaries);
-  if (figures.empty()) {
+  if (study.figures.empty()) {
     throw bad_input(folder.string() + ": the sweep's page names no `figures`");
   }
-  const auto drawn = drawn_figures(figures);
+  const auto drawn = drawn_figures(study.figures);
   fs::create_directories(folder / "figures");
-  for (std::size_t i = 0; i < figures.size(); ++i) {
-    write_file(folder / "figures" / (figures[i].name + ".svg"), drawn[i]);
+  for (std::size_t i = 0; i < study.figures.size(); ++i) {
+    write_file(folder / "figures" / (study.figures[i].name + ".svg"), drawn[i]);
   }
   return folder / "figures";
 }

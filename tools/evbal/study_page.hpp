@@ -4,6 +4,7 @@
 #include "experiments/study/statistics/page_days.hpp"
 #include "experiments/study/statistics/page_markdown.hpp"
 #include "experiments/study/statistics/primaries.hpp"
+#include "experiments/study/statistics/study_figures.hpp"
 #include "experiments/study/store/sweep_origin.hpp"
 
 #include <filesystem>
@@ -18,6 +19,7 @@ struct StudyPage {
   SweepOrigin origin;                    ///< of the sweep
   PageDays days;                         ///< with the bounds that are kept
   std::vector<PrimaryAnswer> primaries;  ///< of the page
+  std::vector<StudyFigure> figures;      ///< of the page
 };
 
 /// Reads the sweep in `folder`. Throws Error{bad_input} if there is none, or if it is not finished.

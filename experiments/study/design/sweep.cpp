@@ -195,13 +195,15 @@ Sweep read_sweep(const fs::path& file, const SweepReading& reading) {
 
 std::vector<std::size_t> days_to_bound(const Sweep& sweep, const BoundWish& wish) {
   std::vector<std::size_t> positions;
-  std::set<std::tuple<std::string, std::string, std::uint64_t>> seen;
+  std::set<std::tuple<std::string, std::string, std::uint64_t>> bounded;
+  std::set<std::tuple<std::string, std::string, std::uint64_t, std::string>> looked_at;
   for (std::size_t i = 0; i < sweep.days.size(); ++i) {
     const SweptDay& day = sweep.days[i];
     const bool wanted = std::find(wish.seeds.begin(), wish.seeds.end(), day.seed) != wish.seeds.end() &&
-                        !seen.contains({day.scenario, day.day, day.seed});
+                        !bounded.contains({day.scenario, day.day, day.seed}) &&
+                        looked_at.emplace(day.scenario, day.day, day.seed, day.faults).second;
     if (wanted && scenario_of(day).schedule.faults.empty()) {
-      seen.emplace(day.scenario, day.day, day.seed);
+      bounded.emplace(day.scenario, day.day, day.seed);
       positions.push_back(i);
     }
   }

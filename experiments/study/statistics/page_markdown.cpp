@@ -172,18 +172,20 @@ std::string tables(const Page& page, const std::vector<FinishedDay>& days, const
   return text;
 }
 
-std::string figures(const Page& page, const PageDays& days, const std::vector<PrimaryAnswer>& answers) {
+std::string figure_links(const std::vector<StudyFigure>& figures) {
   std::string text;
   int number = 0;
-  for (const StudyFigure& figure : study_figures(page, days, answers)) {
+  for (const StudyFigure& figure : figures) {
     text += "\n![" + markdown_cell(figure.title) + "](figures/" + figure.name + ".svg)\n\n**Figure " +
             std::to_string(++number) + ".** " + figure.caption + "\n";
   }
   return text;
 }
 
-PageText texts(const Page& page, const PageDays& days, const std::string& command,
-               const std::vector<PrimaryAnswer>& answers) {
+}  // namespace
+
+PageText page_text(const Page& page, const PageDays& days, const std::vector<PrimaryAnswer>& answers,
+                   const std::string& command) {
   return {.verdict = verdict_text(page, days, answers),
           .decided_after = box(page.decided_after),
           .reading = (has_answers(page) ? "\n## How to read it\n\n" : "\n") + page.text +
@@ -191,18 +193,10 @@ PageText texts(const Page& page, const PageDays& days, const std::string& comman
           .tables = tables(page, days.days, answers)};
 }
 
-}  // namespace
-
-PageText page_text(const Page& page, const PageDays& days, const std::string& command) {
-  return texts(page, days, command, primary_answers(page, days.days));
-}
-
-std::string page_markdown(const Page& page, const PageDays& days, const std::string& command) {
-  const auto answers = primary_answers(page, days.days);
-  const PageText text = texts(page, days, command, answers);
+std::string page_markdown(const std::string& title, const PageText& text, const std::vector<StudyFigure>& figures) {
   const auto apart = [](const std::string& part) { return part.empty() ? "" : "\n" + part; };
-  return "# " + page.title + "\n" + apart(text.verdict) + figures(page, days, answers) + apart(text.decided_after) +
-         text.reading + text.tables;
+  return "# " + title + "\n" + apart(text.verdict) + figure_links(figures) + apart(text.decided_after) + text.reading +
+         text.tables;
 }
 
 }  // namespace evbal

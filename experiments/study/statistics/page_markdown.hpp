@@ -2,8 +2,11 @@
 
 #include "experiments/study/design/page.hpp"
 #include "experiments/study/statistics/page_days.hpp"
+#include "experiments/study/statistics/primaries.hpp"
+#include "experiments/study/statistics/study_figures.hpp"
 
 #include <string>
+#include <vector>
 
 namespace evbal {
 
@@ -15,11 +18,12 @@ struct PageText {
   std::string tables{};         ///< primary endpoints and sections
 };
 
-/// `command` is what makes the page again.
-PageText page_text(const Page& page, const PageDays& days, const std::string& command);
+/// `answers` are its primary endpoints, `command` is what makes the page again.
+PageText page_text(const Page& page, const PageDays& days, const std::vector<PrimaryAnswer>& answers,
+                   const std::string& command);
 
 /// The whole page as Markdown: title, verdict, figures (figures/NAME.svg), what was decided afterwards,
 /// how to read it, and the tables.
-std::string page_markdown(const Page& page, const PageDays& days, const std::string& command);
+std::string page_markdown(const std::string& title, const PageText& text, const std::vector<StudyFigure>& figures);
 
 }  // namespace evbal
