@@ -2,6 +2,7 @@
 
 #include "common/error.hpp"
 #include "common/files.hpp"
+#include "tools/evbal/filter_options.hpp"
 #include "tools/evbal/report_content.hpp"
 #include "tools/evbal/study_page.hpp"
 
@@ -21,6 +22,7 @@ namespace fs = std::filesystem;
 struct ReportArguments {
   std::vector<std::string> folders;
   std::vector<std::string> against;
+  DayFilter filter;
   std::string out;
   bool figures = false;
 };
@@ -60,14 +62,20 @@ PageContent content_of(const ReportArguments& arguments) {
   if (!sweep && !arguments.against.empty()) {
     throw bad_input("--against: there is no sweep among the directories, whose variants could be compared");
   }
-  PageContent content = sweep ? content_on(*sweep, arguments.against, runs) : content_on(runs);
+  if (!sweep && !is_empty(arguments.filter)) {
+    throw bad_input(
+        "--scenario, --faults, --variant and --days choose among the days of a sweep: there is none among "
+        "the directories");
+  }
+  PageContent content = sweep ? content_on(*sweep, arguments.against, arguments.filter, runs) : content_on(runs);
   content.draws = draws;
   return content;
 }
 
 /// Draws the figures of a sweep's page alone.
 fs::path figures(const ReportArguments& arguments) {
-  if (arguments.folders.size() > 1 || !arguments.out.empty() || !arguments.against.empty()) {
+  if (arguments.folders.size() > 1 || !arguments.out.empty() || !arguments.against.empty() ||
+      !is_empty(arguments.filter)) {
     throw bad_input("--figures: give the directory of one sweep, into which its figures are drawn, and nothing else");
   }
   const fs::path folder = arguments.folders.front();
@@ -96,6 +104,7 @@ void add_report_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("report", "Write one HTML page on finished runs, or on a sweep");
   command->add_option("DIR", arguments->folders, "Run directories, directories of them, or a sweep's")->required();
   command->add_option("--against", arguments->against, "Variants of the sweep to compare the others with");
+  add_filter_options(*command, arguments->filter);
   command->add_option("--out", arguments->out, "The page; otherwise report.html in DIR, or here if there are several");
   command->add_flag("--figures", arguments->figures,
                     "Only draw the figures of the sweep's page.md anew, as SVG files in DIR/figures");

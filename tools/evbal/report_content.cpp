@@ -162,22 +162,40 @@ SweptAnswers swept_answers(const StudyPage& study) {
   return {study_text(study), study.figures};
 }
 
-SweepContent sweep_content(const fs::path& folder, const StudyPage& study, std::vector<std::string> against) {
-  const fs::path file = folder / sweep_file_name;
-  const auto& days = study.days.days;
-  const bool asked = !study.page.title.empty();
-  if (against.empty() && !study.page.verdict.empty()) {
-    against = study.page.verdict.front().fronts.front().against;
-  } else if (against.empty() && !asked) {
-    against.push_back(days.front().variant);
+/// Whom the others are compared with if nobody is named.
+std::vector<std::string> references_of(const StudyPage& study) {
+  if (!study.page.verdict.empty()) {
+    return study.page.verdict.front().fronts.front().against;
   }
+  return study.page.title.empty() ? std::vector{study.days.days.front().variant} : std::vector<std::string>{};
+}
+
+template <class T>
+std::vector<T> at_positions(const std::vector<std::size_t>& positions, const std::vector<T>& all) {
+  std::vector<T> chosen;
+  std::transform(positions.begin(), positions.end(), std::back_inserter(chosen), [&](std::size_t i) { return all[i]; });
+  return chosen;
+}
+
+SweepContent sweep_content(const fs::path& folder, const StudyPage& study, std::vector<std::string> against,
+                           DayFilter filter) {
+  const bool all = is_empty(filter);
+  if (against.empty()) {
+    against = references_of(study);
+  }
+  if (!filter.variants.empty()) {
+    filter.variants.insert(filter.variants.end(), against.begin(), against.end());
+  }
+  const auto chosen = positions_of(filter, study.days.days);
+  const auto days = at_positions(chosen, study.days.days);
+  const auto steps = at_positions(chosen, read_finished_steps(folder / sweep_file_name, hourly_columns));
   return {.folder = folder.string(),
           .origin = study.origin,
-          .page = asked ? swept_answers(study) : SweptAnswers{},
+          .page = all && !study.page.title.empty() ? swept_answers(study) : SweptAnswers{},
           .days = static_cast<int>(days.size()),
-          .points = swept_points(days, read_finished_steps(file, hourly_columns)),
-          .answers = answers(days, against, study.primaries),
-          .bounds = swept_bounds(study.days)};
+          .points = swept_points(days, steps),
+          .answers = answers(days, against, all ? study.primaries : std::vector<PrimaryAnswer>{}),
+          .bounds = all ? swept_bounds(study.days) : std::vector<SweptBound>{}};
 }
 
 }  // namespace
@@ -189,13 +207,14 @@ PageContent content_on(const std::vector<RecordedRun>& runs) {
   return content;
 }
 
-PageContent content_on(const fs::path& folder, const std::vector<std::string>& against,
+PageContent content_on(const fs::path& folder, const std::vector<std::string>& against, const DayFilter& filter,
                        const std::vector<RecordedRun>& runs) {
   const StudyPage study = read_study_page(folder);
-  PageContent content{.sweep = sweep_content(folder, study, against)};
+  PageContent content{.sweep = sweep_content(folder, study, against, filter)};
   content.title = study.page.title.empty() ? fs::path(study.origin.file).stem().string() : study.page.title;
-  if (study.page.verdict.empty()) {
-    content.subtitle = "A sweep: every variant on the same days, seeds and faults.";
+  if (content.sweep->page.text.verdict.empty()) {
+    content.subtitle = is_empty(filter) ? "A sweep: every variant on the same days, seeds and faults."
+                                        : "Some of a sweep's days, as asked for.";
   }
   if (!runs.empty()) {
     add_runs(runs, content);

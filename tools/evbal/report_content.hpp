@@ -1,6 +1,7 @@
 #pragma once
 
 #include "experiments/record/recorded_run.hpp"
+#include "experiments/study/design/day_filter.hpp"
 #include "tools/report/report.hpp"
 
 #include <filesystem>
@@ -14,9 +15,10 @@ namespace evbal {
 PageContent content_on(const std::vector<RecordedRun>& runs);
 
 /// The page on the finished sweep in `folder`, whose variants are compared with those named by `against` (none: the
-/// sweep's first, unless it has its own page of answers), and on `runs`. Throws Error{bad_input} if the sweep is not
-/// finished or a name is unknown.
+/// sweep's first, unless it has its own page of answers), and on `runs`. If `filter` asks for some of the days, they
+/// and those of `against` alone are shown, without the answers, which are of all days. Throws Error{bad_input} if the
+/// sweep is not finished or a name is unknown.
 PageContent content_on(const std::filesystem::path& folder, const std::vector<std::string>& against,
-                       const std::vector<RecordedRun>& runs);
+                       const DayFilter& filter, const std::vector<RecordedRun>& runs);
 
 }  // namespace evbal

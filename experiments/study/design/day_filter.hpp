@@ -15,6 +15,11 @@ struct DayFilter {
   std::vector<std::string> days{};       ///< ISO 8601
 };
 
+/// Whether it takes all days.
+inline bool is_empty(const DayFilter& filter) {
+  return filter.scenarios.empty() && filter.faults.empty() && filter.variants.empty() && filter.days.empty();
+}
+
 /// Throws Error{bad_input} unless each of `asked` is one of `there`, with these and the one that may be meant.
 /// `option`, as on the command line, is named in the message.
 void expect_names(const std::string& option, const std::vector<std::string>& asked,

@@ -73,6 +73,21 @@ TEST(ReportPage, OfASweepShowsTheNumbersOfTheCsv) {
   EXPECT_EQ(line.evbal("report s s").status, 2);
 }
 
+TEST(ReportPage, OfSomeOfASweepsDaysShowsNoOthers) {
+  const CommandLine line;
+  ASSERT_EQ(line.evbal("sweep page-small.yaml --quick --quiet --jobs 2 --out s").status, 0);
+  ASSERT_EQ(line.evbal("report s --days 2024-01-09 --out some.html").status, 0);
+  const std::string some = text_of(line.path() / "some.html");
+  EXPECT_NE(some.find("\"day\":\"2024-01-09\""), std::string::npos);
+  EXPECT_EQ(some.find("\"day\":\"2024-01-10\""), std::string::npos);
+  EXPECT_NE(some.find("Some of a sweep's days, as asked for."), std::string::npos);
+  EXPECT_EQ(line.evbal("report s --variant nobody").status, 2);
+  ASSERT_EQ(line.evbal("run toy.yaml --transport inproc --out day --quiet").status, 0);
+  const Ended without_sweep = line.evbal("report day --days 2024-01-12");
+  EXPECT_EQ(without_sweep.status, 2);
+  EXPECT_NE(without_sweep.err.find("there is none among the directories"), std::string::npos) << without_sweep.err;
+}
+
 TEST(ReportPage, ShowsTheVerdictAndTheFirstFigureOnTheFirstScreen) {
   const CommandLine line;
   ASSERT_EQ(line.evbal("sweep page-small.yaml --quick --quiet --jobs 2 --out s").status, 0);
