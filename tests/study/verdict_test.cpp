@@ -122,8 +122,49 @@ TEST(Verdict, NamesThePairsIfThereAreSeveral) {
                 {{"old", "new"}, {"a", "b"}, {"calm"}});
   std::vector<FinishedDay> days;
   add_city(days, "a", fewer);
+  expect_begin(
+      verdict(page, {days}),
+      "**Does any? Mixed: better with new; worse with old.** Passengers lost at equal kilometres driven empty, "
+      "in a: new against old −49.8 % (−52.2 to −47.2 %) and old against new +");
+}
+
+TEST(Verdict, NamesPairsAndPlacesIfThereAreSeveralOfBoth) {
+  const Page page =
+      read_page(YamlValue::parse("title: T\nsections: [{title: S}]\nverdict:\n  - question: Does any?\n    fronts:\n"
+                                 "      - {variants: [new], against: [old], primary: {scenarios: [a, b]}}\n"
+                                 "      - {variants: [old], against: [new], primary: {scenario: a}}\n",
+                                 "sweep.yaml"),
+                {{"old", "new"}, {"a", "b"}, {"calm"}});
+  std::vector<FinishedDay> days;
+  add_city(days, "a", fewer);
+  add_city(days, "b", fewer);
   expect_begin(verdict(page, {days}),
-               "**Does any? Mixed: better in new against old in a; worse in old against new in a.** ");
+               "**Does any? Mixed: better with new against old in a and new against old in b; worse with old against "
+               "new in a.** ");
+}
+
+TEST(Verdict, TellsTheWayOfWhomeverItAskedAboutInEachPlace) {
+  const Page page = read_page(
+      YamlValue::parse("title: T\nsections: [{title: S}]\nverdict:\n"
+                       "  - {question: Here, fronts: {variants: [new], against: [old], primary: {scenario: a}}}\n"
+                       "  - {question: There, fronts: {variants: [other], against: [old], primary: {scenario: b}}}\n",
+                       "sweep.yaml"),
+      {{"old", "new", "other"}, {"a", "b"}, {"calm"}});
+  std::vector<FinishedDay> days;
+  std::vector<FinishedDay> bounds;
+  for (const std::string city : {"a", "b"}) {
+    add_city(days, city, fewer);
+    for (int date = 0; date < 3; ++date) {
+      days.push_back(asked_day(city, "other", "1", date, 15.0, 99.0));
+      bounds.push_back(asked_day(city, bound_variant, "", date, 0.0, 20.0));
+    }
+  }
+  const std::string text = verdict(page, {days, bounds});
+  EXPECT_NE(
+      text.find(
+          "New, the best of the above, went this much of the way from old to the bound: 62 % in a and 62 % in b."),
+      std::string::npos)
+      << text;
 }
 
 TEST(Verdict, CountsAnEndpointOnceThatASectionNamesToo) {

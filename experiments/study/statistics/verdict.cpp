@@ -54,42 +54,65 @@ class Told {
   Told(const Page& page, const std::vector<PrimaryAnswer>& answers) : page_(page) {
     for (const PrimaryAnswer& answer : answers) {
       pairs_.insert({answer.row.variant, answer.question.reference});
+      variants_.insert(answer.row.variant);
       faults_.insert(answer.row.faults);
+      places_.insert({answer.row.scenario, answer.row.faults});
     }
   }
 
+  /// What stands before the label of answers.
+  std::string preposition() const { return one_pair() ? "in " : "with "; }
+
+  /// What tells the answer from the others: its place, its variant, or all.
+  std::string label_of(const PrimaryAnswer& answer) const {
+    const bool by_variant = one_place() && variants_.size() == pairs_.size();
+    return one_pair() ? place_of(answer) : by_variant ? words(answer.row.variant) : compared(answer);
+  }
+
+  /// What the numbers of all answers have in common; empty if nothing.
+  std::string common(const PrimaryAnswer& any) const {
+    return one_pair() ? pair_of(any) : one_place() ? "in " + place_of(any) : "";
+  }
+
+  /// What an answer's number is told by, beside what is common.
+  std::string compared(const PrimaryAnswer& answer) const {
+    return one_pair() ? place_of(answer) : pair_of(answer) + (one_place() ? "" : " in " + place_of(answer));
+  }
+
+ private:
   bool one_pair() const { return pairs_.size() == 1; }
+  bool one_place() const { return places_.size() == 1; }
 
   std::string pair_of(const PrimaryAnswer& answer) const {
     return words(answer.row.variant) + " against " + words(answer.question.reference);
   }
 
-  /// Where it was asked, with who was compared if there are several pairs.
   std::string place_of(const PrimaryAnswer& answer) const {
-    const std::string faults = faults_.size() > 1 ? ", " + words(answer.row.faults) : "";
-    return (one_pair() ? "" : pair_of(answer) + " in ") + words(answer.row.scenario) + faults;
+    return words(answer.row.scenario) + (faults_.size() > 1 ? ", " + words(answer.row.faults) : "");
   }
 
- private:
   std::string words(const std::string& name) const { return markdown_cell(words_for(page_, name)); }
 
   const Page& page_;
   std::set<std::pair<std::string, std::string>> pairs_{};
+  std::set<std::pair<std::string, std::string>> places_{};
+  std::set<std::string> variants_{};
   std::set<std::string> faults_{};
 };
 
-/// The answers' places by what is shown there.
+/// The answers' labels by what is shown.
 struct Sorted {
+  std::string preposition;
   Words better{};
   Words worse{};
   Words open{};
   Words unanswered{};
 
-  Sorted(const Told& told, const std::vector<PrimaryAnswer>& answers) {
+  Sorted(const Told& told, const std::vector<PrimaryAnswer>& answers) : preposition(told.preposition()) {
     for (const PrimaryAnswer& answer : answers) {
       const int side = answer.shown();
       Words& list = answer.row.days == 0 ? unanswered : side < 0 ? better : side > 0 ? worse : open;
-      list.push_back(told.place_of(answer));
+      list.push_back(told.label_of(answer));
     }
   }
 
@@ -106,10 +129,9 @@ struct Sorted {
       return first + (worse.empty() ? "" : ", it is worse") + ".";
     }
     std::string text;
-    for (const auto& [words, places] :
-         {std::pair("better in ", &better), std::pair("worse in ", &worse), std::pair("not shown in ", &open),
-          std::pair("not answered in ", &unanswered)}) {
-      text += places->empty() ? "" : (text.empty() ? "" : "; ") + (words + enumerated(*places));
+    for (const auto& [words, labels] : {std::pair("better ", &better), std::pair("worse ", &worse),
+                                        std::pair("not shown ", &open), std::pair("not answered ", &unanswered)}) {
+      text += labels->empty() ? "" : (text.empty() ? "" : "; ") + (words + preposition + enumerated(*labels));
     }
     return (better.empty() && worse.empty() ? capitalised(text) : first + ": " + text) + ".";
   }
@@ -129,15 +151,15 @@ std::string paragraph(const Page& page, const VerdictQuestion& asked, const std:
   Words numbers;
   for (const PrimaryAnswer& answer : answers) {
     if (answer.row.days > 0) {
-      numbers.push_back(told.place_of(answer) + " " + signed_per_cent(answer.row.difference.mean) + " (" +
+      numbers.push_back(told.compared(answer) + " " + signed_per_cent(answer.row.difference.mean) + " (" +
                         interval_words(answer.row.difference) + ")");
     }
   }
   if (!numbers.empty()) {
     const std::string what = asked_words(answers.front().question);
-    const std::string pair = told.one_pair() ? told.pair_of(answers.front()) : "";
-    const std::string begin = what == said ? capitalised(pair) : what + (pair.empty() ? "" : ", " + pair);
-    text += " " + begin + (begin.empty() ? "" : ": ") + enumerated(numbers) + ".";
+    const std::string common = told.common(answers.front());
+    const std::string begin = what == said ? common : what + (common.empty() ? "" : ", " + common);
+    text += " " + capitalised(begin + (begin.empty() ? "" : ": ") + enumerated(numbers)) + ".";
     said = what;
   }
   return text;
@@ -150,24 +172,35 @@ struct Farthest {
   Compared row{};  ///< of the variant; no way: no bound is known
 };
 
+/// The variants that the verdict asks about.
+Words variants_asked(const Page& page) {
+  std::set<std::string> variants;
+  for (const VerdictQuestion& asked : page.verdict) {
+    for (const CompareSection& fronts : asked.fronts) {
+      variants.insert(fronts.variants.begin(), fronts.variants.end());
+    }
+  }
+  return {variants.begin(), variants.end()};
+}
+
 /// Of each scenario and schedule of faults of the verdict, in its order.
 std::vector<Farthest> farthest(const Page& page, const PageDays& days, const Question& question) {
   std::vector<Farthest> all;
   for (const VerdictQuestion& asked : page.verdict) {
     for (const CompareSection& fronts : asked.fronts) {
       for (const PrimaryEndpoint& primary : fronts.primaries) {
-        auto here = std::find_if(all.begin(), all.end(), [&](const Farthest& one) {
-          return one.scenario == primary.scenario && one.faults == primary.faults;
-        });
-        if (here == all.end()) {
-          here = all.insert(all.end(), {primary.scenario, primary.faults});
+        if (std::none_of(all.begin(), all.end(), [&](const Farthest& one) {
+              return one.scenario == primary.scenario && one.faults == primary.faults;
+            })) {
+          all.push_back({primary.scenario, primary.faults});
         }
-        for (const Compared& row :
-             whole_rows(days, {primary.variant}, question, {primary.scenario}, {primary.faults})) {
-          if (row.way && (!here->row.way || *row.way > *here->row.way)) {
-            here->row = row;
-          }
-        }
+      }
+    }
+  }
+  for (Farthest& here : all) {
+    for (const Compared& row : whole_rows(days, variants_asked(page), question, {here.scenario}, {here.faults})) {
+      if (row.way && (!here.row.way || *row.way > *here.row.way)) {
+        here.row = row;
       }
     }
   }
