@@ -67,7 +67,8 @@ void expect_begin(const std::string& text, const std::string& begin) {
 
 TEST(Verdict, SaysInPlainWordsWhatIsShownWhere) {
   expect_begin(on_two(fewer, fewer),
-               "**Does it pay? Yes.** Passengers lost at equal kilometres driven empty, our planner against the rival: "
+               "**Does it pay? Yes.** Passengers lost at equal kilometres driven empty (fewer is better), our planner "
+               "against the rival: "
                "Aville −49.8 % (−52.2 to −47.2 %) and Btown −49.8 % (−52.2 to −47.2 %).\n\n");
   expect_begin(on_two(more, more), "**Does it pay? No, it is worse.** ");
   expect_begin(on_two(unclear, unclear), "**Does it pay? Not shown.** ");
@@ -76,13 +77,21 @@ TEST(Verdict, SaysInPlainWordsWhatIsShownWhere) {
   expect_begin(on_two(more, fewer), "**Does it pay? Mixed: better in Btown; worse in Aville.** ");
 }
 
+TEST(Verdict, BeginsWithWhatIsAskedForReadersWhoKnowNothing) {
+  std::vector<FinishedDay> days;
+  add_city(days, "a", fewer);
+  Page page = asking("a");
+  page.introduction = "Where should cars go?";
+  expect_begin(verdict(page, {days}), "Where should cars go?\n\n**Does it pay? Yes.** ");
+}
+
 TEST(Verdict, SaysWhereNothingCouldBeCompared) {
   std::vector<FinishedDay> days;
   add_city(days, "a", fewer);
   add_city(days, "b", fewer, 500.0);
   expect_begin(verdict(asking("a, b"), {days}),
                "**Does it pay? In part: better in Aville; not answered in Btown.** Passengers lost at equal kilometres "
-               "driven empty, our planner against the rival: Aville −49.8 % (−52.2 to −47.2 %).\n\n");
+               "driven empty (fewer is better), our planner against the rival: Aville −49.8 % (−52.2 to −47.2 %).\n\n");
   expect_begin(verdict(asking("b, c"), {days}), "**Does it pay? Not answered.**\n\n");
   add_city(days, "c", unclear);
   expect_begin(verdict(asking("b, c"), {days}), "**Does it pay? Not shown in c; not answered in Btown.** ");
@@ -107,8 +116,10 @@ TEST(Verdict, TellsHowMuchOfTheWayToTheBoundWasGone) {
   }
   const std::string text = verdict(asking("a, b"), {days, bounds});
   EXPECT_NE(
-      text.find("Our planner, the best of the above, went this much of the way from the rival to the bound: 62 % in "
-                "Aville. No bound was computed for Btown.\n"),
+      text.find(
+          "**How far is it from what could be? 62 % of the way in Aville.** So much of what the rival loses beyond "
+          "the bound, below which no planner can be, our planner saves, all days added up. No bound was "
+          "computed for Btown.\n"),
       std::string::npos)
       << text;  // 50 of 80
 }
@@ -122,10 +133,10 @@ TEST(Verdict, NamesThePairsIfThereAreSeveral) {
                 {{"old", "new"}, {"a", "b"}, {"calm"}});
   std::vector<FinishedDay> days;
   add_city(days, "a", fewer);
-  expect_begin(
-      verdict(page, {days}),
-      "**Does any? Mixed: better with new; worse with old.** Passengers lost at equal kilometres driven empty, "
-      "in a: new against old −49.8 % (−52.2 to −47.2 %) and old against new +");
+  expect_begin(verdict(page, {days}),
+               "**Does any? Mixed: better with new; worse with old.** Passengers lost at equal kilometres driven empty "
+               "(fewer is better), "
+               "in a: new against old −49.8 % (−52.2 to −47.2 %) and old against new +");
 }
 
 TEST(Verdict, NamesPairsAndPlacesIfThereAreSeveralOfBoth) {
@@ -161,8 +172,8 @@ TEST(Verdict, TellsTheWayOfWhomeverItAskedAboutInEachPlace) {
   }
   const std::string text = verdict(page, {days, bounds});
   EXPECT_NE(
-      text.find(
-          "New, the best of the above, went this much of the way from old to the bound: 62 % in a and 62 % in b."),
+      text.find("be? 62 % of the way in a and 62 % in b.** So much of what old loses beyond the bound, below which "
+                "no planner can be, new saves"),
       std::string::npos)
       << text;
 }
@@ -181,6 +192,12 @@ TEST(Verdict, CountsAnEndpointOnceThatASectionNamesToo) {
   ASSERT_EQ(answers.size(), 1U);
   EXPECT_EQ(answers[0].section, "Does it");
   EXPECT_EQ(answers[0].p_holm, answers[0].row.p);
+}
+
+TEST(PrimaryAnswer, NeverHasAPOfNothing) {
+  EXPECT_EQ(p_text(0.0495), "0.0495");
+  EXPECT_EQ(p_text(0.0001), "0.0001");
+  EXPECT_EQ(p_text(2e-6), "< 0.0001");
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 #include "tools/evbal/compare_command.hpp"
 
-#include "common/decimal.hpp"
 #include "common/error.hpp"
 #include "experiments/study/statistics/comparison.hpp"
 #include "experiments/study/statistics/comparison_table.hpp"
@@ -46,8 +45,8 @@ std::string primaries_text(const std::vector<Compared>& rows, const Question& qu
         std::any_of(rows.begin(), rows.end(), [&](const Compared& row) { return primary.is(question, row); });
     if (shown && primary.row.days > 0) {
       text += "Primary endpoint, " + primary.section + ": " + primary.row.variant + ", " + primary.row.scenario + " " +
-              primary.row.faults + ": p = " + fixed(primary.row.p, 4) + ", after Holm for the page's " +
-              std::to_string(primaries.size()) + " primary endpoints " + fixed(primary.p_holm, 4) + "\n";
+              primary.row.faults + ": p " + p_text(primary.row.p) + ", after Holm for the page's " +
+              std::to_string(primaries.size()) + " primary endpoints " + p_text(primary.p_holm) + "\n";
     }
   }
   return text;

@@ -94,6 +94,8 @@ struct Page {
   std::string title;  ///< heading
   /// Markdown.
   std::string text;
+  /// Markdown: what is asked, for readers who know nothing of it.
+  std::string introduction{};
   std::map<std::string, std::string> names{};  ///< words for variants, scenarios and schedules of faults, by their name
   std::vector<VerdictQuestion> verdict{};      ///< in their order
   /// Markdown: what was decided after some of the results were known.

@@ -165,6 +165,9 @@ Page read_page(const YamlValue& value, const PageNames& in_sweep) {
   if (const auto words = map.find("names")) {
     page.names = read_names(*words, names);
   }
+  if (const auto introduction = map.find("introduction")) {
+    page.introduction = introduction->paragraphs();
+  }
   if (const auto verdict = map.find("verdict")) {
     page.verdict = read_verdict(*verdict, names);
   }

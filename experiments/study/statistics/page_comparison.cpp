@@ -121,7 +121,7 @@ std::string primaries(const std::vector<PrimaryAnswer>& answers) {
     const bool known = answer.row.days > 0;
     for (const std::string& cell :
          {known ? difference_text(answer.row) : "", known ? interval_text(answer.row) : "",
-          known ? fixed(answer.row.p, 4) : "", known ? fixed(answer.p_holm, 4) : "", std::to_string(answer.row.days)}) {
+          known ? p_text(answer.row.p) : "", known ? p_text(answer.p_holm) : "", std::to_string(answer.row.days)}) {
       cells.push_back(cell);
     }
     text += table_row(cells);

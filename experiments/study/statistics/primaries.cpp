@@ -1,5 +1,6 @@
 #include "experiments/study/statistics/primaries.hpp"
 
+#include "common/decimal.hpp"
 #include "experiments/study/statistics/variant_days.hpp"
 
 #include <algorithm>
@@ -114,6 +115,10 @@ std::vector<PrimaryAnswer> primary_answers(const Page& page, const std::vector<F
     }
   }
   return std::move(answers).adjusted();
+}
+
+std::string p_text(double p) {
+  return p < 0.0001 ? "< 0.0001" : fixed(p, 4);
 }
 
 Page page_of(const std::string& text, const std::vector<FinishedDay>& days) {

@@ -36,6 +36,9 @@ std::vector<FinishedDay> with_objective(const Page& page, std::vector<FinishedDa
 /// it. `days` have the page's objective.
 std::vector<PrimaryAnswer> primary_answers(const Page& page, const std::vector<FinishedDay>& days);
 
+/// A p with four digits; of one that these do not show, that it is less.
+std::string p_text(double p);
+
 /// The page of a sweep whose file is `text` and whose days are `days`, played or not; one without sections if it has
 /// none.
 Page page_of(const std::string& text, const std::vector<FinishedDay>& days);

@@ -138,8 +138,8 @@ struct Sorted {
 };
 
 std::string asked_words(const Question& question) {
-  return question.metric == "idle_km" ? "Kilometres driven empty at equally many lost passengers"
-                                      : "Passengers lost at equal kilometres driven empty";
+  return question.metric == "idle_km" ? "Kilometres driven empty at equally many lost passengers (fewer is better)"
+                                      : "Passengers lost at equal kilometres driven empty (fewer is better)";
 }
 
 /// A question's answer. `said` is what the one before told, which is not told again.
@@ -234,19 +234,17 @@ std::string distance(const Page& page, const PageDays& days) {
             : "the bound is of " + std::to_string(one.row.way_days) + " of " + std::to_string(one.row.days) + " days";
     const std::string who = best.size() == 1 ? "" : markdown_cell(words_for(page, one.row.variant));
     const std::string more = who + (who.empty() || partly.empty() ? "" : "; ") + partly;
-    known.push_back(with_number(per_cent * *one.row.way, 0, false) + " % in " + place +
-                    (more.empty() ? "" : " (" + more + ")"));
+    known.push_back(with_number(per_cent * *one.row.way, 0, false) + " % " + (known.empty() ? "of the way " : "") +
+                    "in " + place + (more.empty() ? "" : " (" + more + ")"));
   }
-  const std::string text = "**How far is it from what could be?** ";
+  const std::string question = "**How far is it from what could be?";
   if (known.empty()) {
-    return text + "No bound was computed, so that is not known.";
+    return question + "** No bound was computed, so that is not known.";
   }
-  const std::string who = best.size() == 1
-                              ? capitalised(markdown_cell(words_for(page, *best.begin()))) + ", the best of the above,"
-                              : "The best of the above";
-  return text + "No planner can be below the bound, even if told the whole day beforehand. " + who +
-         " went this much of the way from " + markdown_cell(words_for(page, reference)) +
-         " to the bound: " + enumerated(known) + "." +
+  return question + " " + enumerated(known) + ".** So much of what " + markdown_cell(words_for(page, reference)) +
+         " loses beyond the bound, below which no planner can be, " +
+         (best.size() == 1 ? markdown_cell(words_for(page, *best.begin())) : "the best of the above") +
+         " saves, all days added up." +
          (unknown.empty() ? "" : " No bound was computed for " + enumerated(unknown) + ".");
 }
 
@@ -261,10 +259,11 @@ std::string reading(const std::vector<PrimaryAnswer>& answers) {
     }
   }
   const std::string days = std::to_string(most) + (most == 1 ? " day" : " days");
-  return "Less is better. In brackets: 95 % intervals over " +
+  return "Differences are means over the kilometres that both methods can drive, then over " +
          (least == most ? days : std::to_string(least) + " to " + days) +
-         ". Better or worse is said where p is below 0.05 after Holm's adjustment for all " +
-         std::to_string(answers.size()) + " primary endpoints: an interval without 0 does not suffice.";
+         "; in brackets their 95 % intervals. Better or worse is said where p is below 0.05 after Holm's adjustment "
+         "for all " +
+         std::to_string(answers.size()) + " primary endpoints.";
 }
 
 }  // namespace
@@ -283,7 +282,7 @@ std::string verdict_text(const Page& page, const PageDays& days, const std::vect
   if (page.verdict.empty()) {
     return "";
   }
-  std::string text;
+  std::string text = page.introduction + (page.introduction.empty() ? "" : "\n\n");
   std::string said;
   for (const VerdictQuestion& asked : page.verdict) {
     text += paragraph(page, asked, answers, said) + "\n\n";
