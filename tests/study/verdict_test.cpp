@@ -116,10 +116,9 @@ TEST(Verdict, TellsHowMuchOfTheWayToTheBoundWasGone) {
   }
   const std::string text = verdict(asking("a, b"), {days, bounds});
   EXPECT_NE(
-      text.find(
-          "**How far is it from what could be? 62 % of the way in Aville.** So much of what the rival loses beyond "
-          "the bound, below which no planner can be, our planner saves, all days added up. No bound was "
-          "computed for Btown.\n"),
+      text.find("**How far is the best from what could be? 62 % of the way in Aville.** All days added up, our planner "
+                "saves that share of what the rival loses beyond the bound, below which no planner can be; the "
+                "differences above count a quiet day as much as a busy one. No bound was computed for Btown.\n"),
       std::string::npos)
       << text;  // 50 of 80
 }
@@ -172,8 +171,7 @@ TEST(Verdict, TellsTheWayOfWhomeverItAskedAboutInEachPlace) {
   }
   const std::string text = verdict(page, {days, bounds});
   EXPECT_NE(
-      text.find("be? 62 % of the way in a and 62 % in b.** So much of what old loses beyond the bound, below which "
-                "no planner can be, new saves"),
+      text.find("be? 62 % of the way in a and 62 % in b.** All days added up, new saves that share of what old loses"),
       std::string::npos)
       << text;
 }

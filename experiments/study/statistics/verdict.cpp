@@ -237,14 +237,15 @@ std::string distance(const Page& page, const PageDays& days) {
     known.push_back(with_number(per_cent * *one.row.way, 0, false) + " % " + (known.empty() ? "of the way " : "") +
                     "in " + place + (more.empty() ? "" : " (" + more + ")"));
   }
-  const std::string question = "**How far is it from what could be?";
+  const std::string question = "**How far is the best from what could be?";
   if (known.empty()) {
     return question + "** No bound was computed, so that is not known.";
   }
-  return question + " " + enumerated(known) + ".** So much of what " + markdown_cell(words_for(page, reference)) +
-         " loses beyond the bound, below which no planner can be, " +
+  return question + " " + enumerated(known) + ".** All days added up, " +
          (best.size() == 1 ? markdown_cell(words_for(page, *best.begin())) : "the best of the above") +
-         " saves, all days added up." +
+         " saves that share of what " + markdown_cell(words_for(page, reference)) +
+         " loses beyond the bound, below which no planner can be; the differences above count a quiet day as much as a "
+         "busy one." +
          (unknown.empty() ? "" : " No bound was computed for " + enumerated(unknown) + ".");
 }
 

@@ -9,8 +9,9 @@
 
 namespace evbal {
 
-/// What came of the page's questions, as Markdown: its introduction, a paragraph each, how far the best of their variants is from what
-/// could be, and what the words mean. Empty if the page has no verdict. `answers` are the page's primary endpoints.
+/// What came of the page's questions, as Markdown: its introduction, a paragraph each, how far the best of their
+/// variants is from what could be, and what the words mean. Empty if the page has no verdict. `answers` are the page's
+/// primary endpoints.
 std::string verdict_text(const Page& page, const PageDays& days, const std::vector<PrimaryAnswer>& answers);
 
 /// A share as per cent with its sign, such as "−14.5 %".
