@@ -157,6 +157,25 @@ std::vector<double> JsonObject::numbers(const std::string& key, double low, doub
   return out;
 }
 
+Eigen::RowVectorXd JsonObject::sparse(Eigen::Index size, double low, double high) {
+  const std::vector<double> columns = numbers("columns", 0.0, static_cast<double>(size) - 1.0);
+  const std::vector<double> values = numbers("values", low, high);
+  finish();
+  if (columns.size() != values.size()) {
+    throw error("columns", "as many numbers are expected as of `values`");
+  }
+  Eigen::RowVectorXd out = Eigen::RowVectorXd::Zero(size);
+  double last = -1.0;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (columns[i] != std::floor(columns[i]) || columns[i] <= last) {
+      throw error("columns", "whole numbers are expected, ascending");
+    }
+    last = columns[i];
+    out(static_cast<Eigen::Index>(last)) = values[i];
+  }
+  return out;
+}
+
 Eigen::MatrixXd JsonObject::matrix(const std::string& key, Eigen::Index rows, Eigen::Index columns, double low,
                                    double high) {
   const json& list = require(key);
@@ -167,8 +186,14 @@ Eigen::MatrixXd JsonObject::matrix(const std::string& key, Eigen::Index rows, Ei
   Eigen::MatrixXd out(rows, columns);
   for (Eigen::Index row = 0; row < rows; ++row) {
     const json& line = list[static_cast<std::size_t>(row)];
+    const std::string line_key = key + "[" + std::to_string(row) + "]";
+    if (line.is_object()) {
+      out.row(row) =
+          JsonObject(line, file_, (place_.empty() ? "" : place_ + ".") + line_key).sparse(columns, low, high);
+      continue;
+    }
     if (!line.is_array() || line.size() != static_cast<std::size_t>(columns)) {
-      throw error(key + "[" + std::to_string(row) + "]", shape);
+      throw error(line_key, shape);
     }
     for (Eigen::Index column = 0; column < columns; ++column) {
       out(row, column) = number_in(line[static_cast<std::size_t>(column)], key, low, high);

@@ -44,7 +44,8 @@ class JsonObject {
   /// A list of numbers in [low, high].
   std::vector<double> numbers(const std::string& key, double low, double high);
 
-  /// A list of `rows` lists of `columns` numbers.
+  /// A list of `rows` lists of `columns` numbers. In place of a list may stand {"columns": [...], "values": [...]}, the
+  /// numbers that are not 0, by ascending column.
   Eigen::MatrixXd matrix(const std::string& key, Eigen::Index rows, Eigen::Index columns, double low, double high);
 
   /// The same where only the number of rows is known.
@@ -57,6 +58,7 @@ class JsonObject {
 
  private:
   const nlohmann::json& require(const std::string& key);
+  Eigen::RowVectorXd sparse(Eigen::Index size, double low, double high);
   double number_in(const nlohmann::json& value, const std::string& key, double low, double high) const;
 
   const nlohmann::json* value_;

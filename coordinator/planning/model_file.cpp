@@ -41,6 +41,27 @@ json to_json(const Eigen::MatrixXd& matrix) {
   return rows;
 }
 
+/// The same, with rows that are mostly 0 as their other numbers and their columns.
+json sparse_to_json(const Eigen::MatrixXd& matrix) {
+  json rows = json::array();
+  for (const auto& row : matrix.rowwise()) {
+    std::vector<Eigen::Index> columns;
+    std::vector<double> values;
+    for (Eigen::Index column = 0; column < row.size(); ++column) {
+      if (row(column) != 0.0) {
+        columns.push_back(column);
+        values.push_back(row(column));
+      }
+    }
+    if (2 * (columns.size() + 4) < static_cast<std::size_t>(row.size())) {
+      rows.push_back({{"columns", columns}, {"values", values}});
+    } else {
+      rows.push_back(std::vector<double>(row.begin(), row.end()));
+    }
+  }
+  return rows;
+}
+
 json to_json(const Eigen::VectorXd& vector) {
   return std::vector<double>(vector.begin(), vector.end());
 }
@@ -77,7 +98,7 @@ json to_json(const SeriesModel& series) {
 json to_json(const Period& period) {
   json out{{"start", period.start}};
   for (const auto& [key, matrix] : transition_keys) {
-    out[key] = to_json(period.transitions.*matrix);
+    out[key] = sparse_to_json(period.transitions.*matrix);
   }
   return out;
 }
@@ -98,7 +119,7 @@ json to_json(const Turnover& turnover) {
   return {{"phi", turnover.phi},
           {"variance_linear", turnover.demand.linear},
           {"variance_quadratic", turnover.demand.quadratic},
-          {"same_step_dropoffs", to_json(turnover.same_step_dropoffs)}};
+          {"same_step_dropoffs", sparse_to_json(turnover.same_step_dropoffs)}};
 }
 
 struct Shape {

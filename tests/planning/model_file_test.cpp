@@ -1,5 +1,6 @@
 #include "common/error.hpp"
 #include "tests/planning/small_city.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -66,6 +67,39 @@ TEST_F(ModelFile, GivesBackEveryBit) {
   EXPECT_EQ(back.trips[0].shares[4].share, 0.25);
   EXPECT_EQ(written(back), text);
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1) << "nothing half-written stays";
+}
+
+// Of several hundred regions nearly all transitions are 0.
+TEST_F(ModelFile, RowsThatAreMostlyZeroAreWrittenAsTheirOtherNumbers) {
+  const std::filesystem::path shipped = test::in_source("experiments/cities/shenzhen-54/model.json");
+  const CityModel model = read_model(shipped);
+  const std::string text = written(model);
+  EXPECT_LT(text.size(), std::filesystem::file_size(shipped) * 95 / 100);
+  const CityModel back = read_model(file_);
+  ASSERT_EQ(back.periods.size(), model.periods.size());
+  for (std::size_t period = 0; period < model.periods.size(); ++period) {
+    const Transitions& transitions = back.periods[period].transitions;
+    EXPECT_EQ(transitions.vacant_to_vacant, model.periods[period].transitions.vacant_to_vacant);
+    EXPECT_EQ(transitions.vacant_to_low_battery, model.periods[period].transitions.vacant_to_low_battery);
+    EXPECT_EQ(transitions.occupied_to_occupied, model.periods[period].transitions.occupied_to_occupied);
+  }
+  EXPECT_EQ(back.turnover.same_step_dropoffs, model.turnover.same_step_dropoffs);
+  EXPECT_EQ(written(back), text);
+}
+
+TEST_F(ModelFile, RefusesOtherNumbersThatAreNone) {
+  const std::string rows = "\"vacant_to_vacant\":[[0.5,0.0,0.0]";
+  const std::string good = written(testing::small_model());
+  const auto with_row = [&](const std::string& row) { return replaced(good, rows, "\"vacant_to_vacant\":[" + row); };
+  std::ofstream(file_) << with_row(R"({"columns":[0],"values":[0.5]})");
+  EXPECT_EQ(read_model(file_).periods[0].transitions.vacant_to_vacant(0, 0), 0.5);
+  expect_refused(with_row(R"({"columns":[0]})"), "periods[0].vacant_to_vacant[0].values");
+  expect_refused(with_row(R"({"columns":[0,1],"values":[0.5]})"), "as many numbers");
+  expect_refused(with_row(R"({"columns":[0,0],"values":[0.25,0.25]})"), "ascending");
+  expect_refused(with_row(R"({"columns":[0.5],"values":[0.5]})"), "whole numbers");
+  expect_refused(with_row(R"({"columns":[3],"values":[0.5]})"), "[0, 2]");
+  expect_refused(with_row(R"({"columns":[0],"values":[1.5]})"), "[0, 1]");
+  expect_refused(with_row(R"({"columns":[0],"values":[0.5],"more":1})"), "more");
 }
 
 TEST_F(ModelFile, RefusesWhatDoesNotFit) {
