@@ -43,6 +43,9 @@ inline void set_heartbeat_period(dds::DataWriterQos& qos, const Duration_t& peri
 inline void set_nack_response_delay(dds::DataWriterQos& qos, const Duration_t& delay) {
   qos.reliable_writer_qos().times.nack_response_delay = delay;
 }
+inline void set_nack_suppression(dds::DataWriterQos& qos, const Duration_t& duration) {
+  qos.reliable_writer_qos().times.nack_supression_duration = duration;
+}
 inline void set_heartbeat_response_delay(dds::DataReaderQos& qos, const Duration_t& delay) {
   qos.reliable_reader_qos().times.heartbeat_response_delay = delay;
 }
@@ -59,6 +62,9 @@ inline void set_heartbeat_period(dds::DataWriterQos& qos, const Duration_t& peri
 }
 inline void set_nack_response_delay(dds::DataWriterQos& qos, const Duration_t& delay) {
   qos.reliable_writer_qos().times.nackResponseDelay = delay;
+}
+inline void set_nack_suppression(dds::DataWriterQos& qos, const Duration_t& duration) {
+  qos.reliable_writer_qos().times.nackSupressionDuration = duration;
 }
 inline void set_heartbeat_response_delay(dds::DataReaderQos& qos, const Duration_t& delay) {
   qos.reliable_reader_qos().times.heartbeatResponseDelay = delay;
@@ -146,6 +152,8 @@ class MessageType : public dds::TopicDataType {
     setName(name.c_str());
     m_typeSize = first_reserved;
     m_isGetKeyDefined = false;
+    auto_fill_type_object(false);  // else half a megabyte of descriptions of types, which nobody of a run asks for
+    auto_fill_type_information(false);
   }
 
   bool serialize(void* data, rtps::SerializedPayload_t* payload) override {

@@ -20,14 +20,16 @@ namespace {
 using namespace fast_dds;
 
 constexpr std::uint32_t socket_buffer = 4 * 1024 * 1024;
-constexpr std::uint32_t packet_bytes = 1400;  // what fits in one packet: of a larger message every packet can be lost
-constexpr std::uint32_t heartbeat_ns = 50'000'000;
+constexpr std::uint32_t packet_bytes = 16 * 1024;    // every process holds some buffers of so many
+constexpr std::uint32_t packet_bytes_apart = 1400;   // one packet of a network, any of which can be lost
+constexpr std::uint32_t heartbeat_ns = 200'000'000;  // on loopback, where samples are lost only if a buffer is full
 constexpr std::uint32_t heartbeat_ns_apart = 10'000'000;
 constexpr std::uint32_t answer_ns_apart = 1'000'000;  // to who says that something is missing, or by whom it is missed
 constexpr std::uint32_t first_announcements = 4;
 constexpr std::uint32_t ns_a_ms = 1'000'000;
-constexpr int announcements_ms = 250;
-constexpr int announcements_ms_a_head = 3;
+constexpr int first_announcements_ms = 250;
+constexpr int announcements_ms = 1000;
+constexpr int announcements_ms_a_head = 12;
 constexpr int kept_samples = 16;         // of reports and departures, for readers that are a little behind
 constexpr int unread_samples = 1 << 14;  // that a reader of many writers holds at most
 
@@ -65,9 +67,7 @@ void use_own_host_only(dds::DomainParticipantQos& qos, const BusAddress& address
   qos.transport().use_builtin_transports = false;
   const auto udp = std::make_shared<UDPv4TransportDescriptor>();
   udp->interfaceWhiteList = {host_of(address, address.participant)};
-  if (address.apart) {
-    udp->maxMessageSize = packet_bytes;
-  }
+  udp->maxMessageSize = address.apart ? packet_bytes_apart : packet_bytes;
   if (address.participant < BusAddress::first_agent) {
     udp->sendBufferSize = socket_buffer;
     udp->receiveBufferSize = socket_buffer;
@@ -106,7 +106,7 @@ void find_each_other(dds::DomainParticipantQos& qos, const BusAddress& address) 
     builtin.initialPeersList.push_back(locator_of(address, peer));
   }
   builtin.discovery_config.initial_announcements.count = first_announcements;
-  builtin.discovery_config.initial_announcements.period = Duration_t(0, announcements_ms * ns_a_ms);
+  builtin.discovery_config.initial_announcements.period = Duration_t(0, first_announcements_ms * ns_a_ms);
   // Later ones are for who was started again and has missed the first answer; hundreds leave each other time.
   const int later_ms = std::max(announcements_ms, address.participants * announcements_ms_a_head);
   builtin.discovery_config.leaseDuration_announcementperiod = Duration_t(later_ms / 1000, later_ms % 1000 * ns_a_ms);
@@ -213,6 +213,8 @@ Participant::Participant(const BusAddress& address, const std::string& name)
   dds::DomainParticipantQos qos = factory->get_default_participant_qos();
   qos.name(name.c_str());
   qos.wire_protocol().participant_id = address.participant;
+  qos.allocation().send_buffers.preallocated_number = 1;  // of the five, of which a process seldom needs two
+  qos.allocation().send_buffers.dynamic = true;
   use_own_host_only(qos, address);
   find_each_other(qos, address);
   entities_->participant = made(
@@ -240,9 +242,12 @@ Writer<Message>::Writer(Participant& participant) : run_(participant.address().r
                                 : dds::ASYNCHRONOUS_PUBLISH_MODE;
   // A sample that is lost takes a heartbeat at its end with it, and one that arrives need not be confirmed at once.
   qos.reliable_writer_qos().disable_heartbeat_piggyback = !participant.address().apart;
-  set_heartbeat_period(qos, Duration_t(0, participant.address().apart ? heartbeat_ns_apart : heartbeat_ns));
+  const Duration_t heartbeat(0, participant.address().apart ? heartbeat_ns_apart : heartbeat_ns);
+  set_heartbeat_period(qos, heartbeat);
   if (participant.address().apart) {
     set_nack_response_delay(qos, Duration_t(0, answer_ns_apart));
+  } else {
+    set_nack_suppression(qos, heartbeat);  // without it each write wakes a thread that finds nothing to do
   }
   writer_ = made(entities.publisher->create_datawriter(entities.topic<Message>(), qos),
                  std::string("a writer of ") + Topic<Message>::name);

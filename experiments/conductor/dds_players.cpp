@@ -76,6 +76,9 @@ DdsPlayers::DdsPlayers(const DdsRun& run) : run_(run), journals_(run.folder / "j
       throw run_failed(need.what + ": " + need.cure);
     }
   }
+  if (const auto complaint = buffer_complaint(granted_socket_buffer(), run_.participants()); !complaint.empty()) {
+    log_line(LogLevel::warn, complaint);
+  }
   ignore_surroundings();
   if (run_.network) {
     network_.emplace(*run_.network, run_.agents(), run_.seed);
@@ -143,10 +146,11 @@ void DdsPlayers::await(const std::string& what, const Reader<Message>& reader, c
   }
 }
 
-void DdsPlayers::await_hellos() {
+/// Waits until no more than `but` have yet to say hello.
+void DdsPlayers::await_hellos(std::size_t but) {
   const auto come = [&] {
     take_hellos();
-    return absent_.empty();
+    return absent_.size() <= but;
   };
   await("hello", topics_->hello, come, [&] { return absent_; });
 }

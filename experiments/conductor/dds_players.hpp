@@ -83,7 +83,7 @@ class DdsPlayers : public Players {
   void write_agent_worlds() const;
   std::filesystem::path world_of(int agent) const;
   void start_processes(BusAddress address);
-  void await_hellos();
+  void await_hellos(std::size_t but = 0);
   void bring_back(const std::string& name, Absence how);
   std::string host_of(int region) const;
 

@@ -12,6 +12,7 @@ namespace {
 
 constexpr int asked_buffer = 4 * 1024 * 1024;
 constexpr int least_buffer = 64 * 1024;  // of Fast DDS, a packet of which is as long
+constexpr int bytes_a_message = 640;     // that the kernel counts for a short one
 constexpr int least_files = 64;          // of the conductor, which has about 25 open
 
 /// Does a datagram come back over 127.0.0.1?
@@ -54,6 +55,16 @@ int granted_socket_buffer() {
   const int bytes = std::min(granted(file, SO_RCVBUF), granted(file, SO_SNDBUF));
   close(file);
   return bytes;
+}
+
+std::string buffer_complaint(int granted, int processes) {
+  if (granted / bytes_a_message >= processes) {
+    return "";
+  }
+  return "socket buffers of " + std::to_string(granted / 1024) + " KiB are granted, too few for a message of each of " +
+         std::to_string(processes) +
+         " processes: some are lost and sent again, which takes time; allow more by `sysctl -w "
+         "net.core.rmem_max=4194304 net.core.wmem_max=4194304`, or fewer processes by `--regions-per-process`";
 }
 
 std::vector<Need> machine_needs(const std::filesystem::path& programs) {

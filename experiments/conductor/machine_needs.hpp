@@ -20,4 +20,8 @@ std::vector<Need> machine_needs(const std::filesystem::path& programs);
 /// The bytes that a socket of this process may buffer, of the 4 MiB for which the bus asks.
 int granted_socket_buffer();
 
+/// What is wrong, and its cure, if sockets that buffer `granted` bytes lose messages when so many processes speak at
+/// once; empty if they do not. What is lost is sent again, which takes time.
+std::string buffer_complaint(int granted, int processes);
+
 }  // namespace evbal

@@ -2,11 +2,13 @@
 
 #include "agents/hosting/process.hpp"
 #include "agents/region/region_world.hpp"
-#include "common/error.hpp"
 #include "common/interrupt.hpp"
 #include "common/log.hpp"
 #include "experiments/conductor/collected.hpp"
 #include "experiments/conductor/dds_players.hpp"
+
+#include <algorithm>
+#include <thread>
 
 namespace evbal {
 namespace {
@@ -14,6 +16,9 @@ namespace {
 // A process waits that many times longer than the conductor, who waits for the others one after another and can say
 // who is missing.
 constexpr int processes_patience = 10;
+
+// That are started and have not said hello yet. More would make each other late, until nobody hears an answer in time.
+constexpr std::size_t most_starting_a_core = 32;
 
 }  // namespace
 
@@ -31,13 +36,10 @@ void DdsPlayers::write_agent_worlds() const {
 }
 
 void DdsPlayers::start_processes(BusAddress address) {
-  const auto deadline = std::chrono::steady_clock::now() + run_.patience;
+  const std::size_t most_starting = most_starting_a_core * std::max(1U, std::thread::hardware_concurrency());
   const auto start = [&](ProcessOptions told, const std::vector<std::string>& command) {
     check_interrupt();
-    if (std::chrono::steady_clock::now() > deadline) {
-      throw run_failed(told.name + " could not be started within " + std::to_string(run_.patience.count()) +
-                       " s, after " + std::to_string(absent_.size()) + " others");
-    }
+    await_hellos(most_starting);
     told.address = address;
     told.scenario = run_.folder / "scenario.resolved.yaml";
     told.journal = journals_.path() / told.name;
