@@ -1,5 +1,6 @@
-// evbal-agent: hosts one or more regions of a run.
+// evbal-agent: hosts one or more regions of a run, or keeps those who do on another host.
 
+#include "agents/hosting/keeper.hpp"
 #include "agents/hosting/process.hpp"
 #include "agents/hosting/roles.hpp"
 #include "agents/protocol/message_check.hpp"
@@ -7,6 +8,7 @@
 #include "agents/region/region_world.hpp"
 
 #include <deque>
+#include <string_view>
 
 namespace {
 
@@ -32,5 +34,8 @@ void host(const ProcessOptions& options, Participant& participant) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc > 1 && std::string_view(argv[1]) == evbal::keeper_word) {
+    return evbal::run_keeper(argc, argv);
+  }
   return evbal::run_process(argc, argv, "Hosts regions of a run; started by evbal run", host);
 }

@@ -50,9 +50,12 @@ Entity* made(Entity* entity, const std::string& what) {
   return entity;
 }
 
-/// Where a participant of the run is.
+/// Where this participant is, or one for which it looks.
 std::string host_of(const BusAddress& address, int participant) {
-  return address.apart ? address_of_host(std::max(0, participant - BusAddress::first_agent + 1)) : "127.0.0.1";
+  if (address.apart) {
+    return address_of_host(std::max(0, participant - BusAddress::first_agent + 1));
+  }
+  return participant == address.participant ? address.host : address.launcher;
 }
 
 rtps::Locator_t locator_of(const BusAddress& address, int participant) {
@@ -81,7 +84,7 @@ void use_own_host_only(dds::DomainParticipantQos& qos, const BusAddress& address
 
 /// Whom a participant looks for; these answer at once. The conductor is on the bus before the others and is looked for
 /// by all of them. A coordinator that returns finds its agents there, who would meet it at their next announcement
-/// only.
+/// only; so they do if they are on several hosts, among which they may have moved.
 std::vector<int> peers_of(const BusAddress& address) {
   switch (address.participant) {
     case BusAddress::conductor:
@@ -90,7 +93,8 @@ std::vector<int> peers_of(const BusAddress& address) {
       return {BusAddress::conductor};
     case BusAddress::coordinator: {
       std::vector<int> peers = {BusAddress::conductor};
-      for (int agent = BusAddress::first_agent; address.returns && agent < address.participants; ++agent) {
+      const bool one_host = address.launcher == BusAddress{}.launcher;
+      for (int agent = BusAddress::first_agent; address.returns && one_host && agent < address.participants; ++agent) {
         peers.push_back(agent);
       }
       return peers;

@@ -29,17 +29,19 @@ struct BusAddress {
   std::string run;  ///< id in every message; samples of other runs are dropped
   /// DDS domain of the run.
   int domain = 0;
-  int participant = 0;               ///< number of this process in the domain
-  int participants = 0;              ///< of the whole run
-  bool returns = false;              ///< the process has died and was started again; the others are there
-  bool apart = false;                ///< each agent on a host of its own, behind a network that may lose packets
-  std::filesystem::path profiles{};  ///< XML file of Fast DDS whose defaults hold where evbal sets nothing; or empty
+  int participant = 0;                 ///< number of this process in the domain
+  int participants = 0;                ///< of the whole run
+  bool returns = false;                ///< the process has died and was started again; the others are there
+  bool apart = false;                  ///< each agent on a host of its own, behind a network that may lose packets
+  std::string host = "127.0.0.1";      ///< IPv4 address of this process's host; unless apart
+  std::string launcher = "127.0.0.1";  ///< of the host of conductor, coordinator and injector; unless apart
+  std::filesystem::path profiles{};    ///< XML file of Fast DDS whose defaults hold where evbal sets nothing; or empty
 };
 
 /// IPv4 address of a host of such a network: 0 is that of all but the agents, then one for each agent.
 std::string address_of_host(int host);
 
-/// One process on the bus: UDPv4, on loopback unless agents are apart, no shared memory, and nothing of the
+/// One process on the bus: UDPv4, on the interface of its host's address alone, no shared memory, and nothing of the
 /// surroundings (surroundings.hpp) but the profiles that the address names. Agents look for the conductor and the
 /// coordinator alone and nobody looks for agents, so that discovery stays linear in their number. All calls from one
 /// thread.

@@ -1,10 +1,13 @@
 #include "agents/bus/ports.hpp"
 
+#include "common/error.hpp"
+
 #include <arpa/inet.h>
 #include <dirent.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -25,6 +28,28 @@ int port_of(int file) {
   return address.sin_family == AF_INET ? ntohs(address.sin_port) : 0;
 }
 
+/// The IPv4 address of this host from which packets go to another.
+std::string address_towards(const std::string& host) {
+  sockaddr_in there{};
+  there.sin_family = AF_INET;
+  there.sin_addr.s_addr = inet_addr(host.c_str());
+  there.sin_port = htons(1);  // nothing is sent
+  sockaddr_in here{};
+  socklen_t size = sizeof here;
+  const int file = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  const bool found = file >= 0 && connect(file, reinterpret_cast<const sockaddr*>(&there), sizeof there) == 0 &&
+                     getsockname(file, reinterpret_cast<sockaddr*>(&here), &size) == 0;
+  const std::string why = found ? "" : std::strerror(errno);
+  if (file >= 0) {
+    close(file);
+  }
+  if (!found) {
+    throw run_failed("host " + host + ": no packet can be sent there: " + why);
+  }
+  std::array<char, INET_ADDRSTRLEN> text{};
+  return inet_ntop(AF_INET, &here.sin_addr, text.data(), text.size());
+}
+
 }  // namespace
 
 int discovery_port(int domain, int participant) {
@@ -43,6 +68,19 @@ std::string port_complaint(const std::string& address, int port) {
     close(file);
   }
   return complaint;
+}
+
+std::string address_towards(const std::vector<std::string>& hosts) {
+  std::string own = "127.0.0.1";
+  for (const std::string& host : hosts) {
+    const std::string towards = address_towards(host);
+    if (&host != &hosts.front() && towards != own) {
+      throw run_failed("hosts " + hosts.front() + " and " + host + " reach this one by two addresses, " + own +
+                       " and " + towards + "; give hosts of one network, this one by its address there, too");
+    }
+    own = towards;
+  }
+  return own;
 }
 
 bool has_port(int port) {

@@ -89,7 +89,7 @@ void Journal::take_entries(std::string_view text) {
 }
 
 void Journal::append(const std::string& entry) {
-  const std::string bytes = header(entry.size(), digest_of(entry)) + entry;
+  const std::string bytes = journal_text(entry);
   std::string_view rest = bytes;
   while (!rest.empty()) {
     const ssize_t written = write(file_.number(), rest.data(), rest.size());
@@ -98,6 +98,10 @@ void Journal::append(const std::string& entry) {
     }
     rest.remove_prefix(static_cast<std::size_t>(written));
   }
+}
+
+std::string journal_text(const std::string& entry) {
+  return header(entry.size(), digest_of(entry)) + entry;
 }
 
 }  // namespace evbal

@@ -32,4 +32,8 @@ class Journal {
   std::vector<std::string> entries_;
 };
 
+/// The text of a journal with this entry alone; texts of one entry after another are that of a journal with all of
+/// them.
+std::string journal_text(const std::string& entry);
+
 }  // namespace evbal

@@ -55,6 +55,8 @@ void add_options(CLI::App& app, ProcessOptions& options) {
   app.add_option("--participant", options.address.participant, "This process's number in the domain")->required();
   app.add_option("--participants", options.address.participants, "Processes of the run")->required();
   app.add_flag("--apart", options.address.apart, "Each agent is on a host of its own");
+  app.add_option("--host", options.address.host, "IPv4 address of the host of this process");
+  app.add_option("--launcher", options.address.launcher, "IPv4 address of the host of conductor and coordinator");
   app.add_option("--dds-profiles", options.address.profiles, "XML file of Fast DDS that the run asks for");
   app.add_option("--scenario", options.scenario, "The run's scenario.resolved.yaml")->required();
   app.add_option("--journal", options.journal, "What the process must know if it is started again")->required();
@@ -85,6 +87,13 @@ std::vector<std::string> arguments(const ProcessOptions& options) {
                                     "--last-region",  std::to_string(options.last_region)};
   if (options.address.apart) {
     words.emplace_back("--apart");
+  }
+  const std::string local = BusAddress{}.host;
+  if (options.address.host != local) {
+    words.insert(words.end(), {"--host", options.address.host});
+  }
+  if (options.address.launcher != local) {
+    words.insert(words.end(), {"--launcher", options.address.launcher});
   }
   if (!options.world.empty()) {
     words.insert(words.end(), {"--world", options.world.string()});

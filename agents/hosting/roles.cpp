@@ -63,12 +63,6 @@ std::vector<Departures> ask_departures(const std::vector<HostedRegion>& regions,
   return ask<Departures>(regions, [&](const auto& region) { return region.live(plan); });
 }
 
-/// Whether a plan will come for any of the regions.
-bool waits_for_plan(const Tick& tick, const RegionRange& regions) {
-  const auto planned = [&](int region) { return regions.contains(region) && !contains(tick.unplanned, region); };
-  return tick.plan_due && !tick.unattended && std::any_of(tick.due.begin(), tick.due.end(), planned);
-}
-
 Answers live_again(const std::vector<HostedRegion>& regions, const AgentEntry& told) {
   Answers said;
   begin(regions, told.tick);
