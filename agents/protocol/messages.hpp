@@ -78,6 +78,7 @@ enum class EffectType : std::uint8_t {
   solver_fail = 21,        ///< no solve succeeds
   solver_starve = 22,      ///< magnitude: iterations that a solve may take
   charger_no_start = 23,   ///< magnitude: probability that a charging session does not start
+  host_down = 24,          ///< like process_kill, for all processes of a host
 };
 
 /// Whom a fault acts on.
@@ -93,6 +94,7 @@ enum class FaultFamily {
 constexpr FaultFamily family_of(EffectType type) {
   const bool world = type <= EffectType::travel_slow || type == EffectType::charger_no_start;
   return world                                   ? FaultFamily::world
+         : type == EffectType::host_down         ? FaultFamily::process
          : type <= EffectType::sensor_off        ? FaultFamily::sensor
          : type <= EffectType::process_slow      ? FaultFamily::process
          : type <= EffectType::network_partition ? FaultFamily::network

@@ -16,6 +16,7 @@ class Roll {
   void add(const Effect& effect) {
     switch (effect.type) {
       case EffectType::process_kill:
+      case EffectType::host_down:
         take_away(effect, Absence::killed);
         break;
       case EffectType::process_pause:

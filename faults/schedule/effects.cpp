@@ -39,7 +39,8 @@ Faults faults_at(const Schedule& schedule, const DayClock& clock, int tick) {
     }
     const double share = strength(fault, window, clock, tick);
     const double neutral = fault_type(fault.type).neutral;
-    const bool absence = fault.type == EffectType::process_kill || fault.type == EffectType::process_pause;
+    const bool absence = fault.type == EffectType::process_kill || fault.type == EffectType::process_pause ||
+                         fault.type == EffectType::host_down;
     for (std::size_t i = 0; i < fault.regions.size(); ++i) {
       faults.effects.push_back(
           {.fault = static_cast<std::int32_t>(index),

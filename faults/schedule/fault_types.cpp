@@ -72,6 +72,7 @@ std::vector<FaultType> all_types() {
        .target = stations,
        .range = {0.0, 1.0},
        .magnitude = "probability"},
+      {.name = "host.down", .effect = host_down, .target = hosts, .unit = none, .duration = "restart_after"},
   };
 }
 

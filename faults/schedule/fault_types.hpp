@@ -20,6 +20,7 @@ enum class TargetKind {
   stations,   ///< regions that have charging points
   sensors,    ///< regions, and a field of their reports
   processes,  ///< agents by their region, the coordinator or the injector
+  hosts,      ///< regions, all that one of the scenario's hosts holds
   links,      ///< regions, whose way to and from the coordinator it is
   topics,     ///< likewise, and what is said there
   engine,     ///< the coordinator's; nothing to name

@@ -13,10 +13,11 @@
 /// and from then on a list of faults without chance.
 namespace evbal {
 
-/// What a schedule may refer to: the simulated day, and the regions by their charging points.
+/// What a schedule may refer to: the simulated day, and the regions by their charging points and hosts.
 struct FaultContext {
-  DayClock clock;                      ///< of the run
-  std::vector<int> points_per_region;  ///< installed
+  DayClock clock;                                    ///< of the run
+  std::vector<int> points_per_region;                ///< installed
+  std::vector<std::vector<int>> regions_per_host{};  ///< of each host that the scenario names, ascending
 };
 
 /// One fault, drawn: nothing about it is open any more.

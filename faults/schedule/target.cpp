@@ -82,6 +82,28 @@ void read_where(YamlMap& map, const FaultType& type, const FaultContext& context
   }
 }
 
+/// The regions of a host by its position, or of one that was resolved before.
+std::vector<int> read_host(YamlMap& map, const FaultContext& context) {
+  const auto regions = map.find("regions");
+  const auto host = map.find("host");
+  map.finish();
+  if (regions.has_value() == host.has_value()) {
+    throw map.value().error("expected `host: k`, the k-th of the scenario's `hosts`, from 0");
+  }
+  if (regions) {
+    return read_regions(*regions, context, false);
+  }
+  const int hosts = static_cast<int>(context.regions_per_host.size());
+  if (hosts == 0) {
+    throw host->error("the scenario names no hosts; add the key `hosts`, or kill single agents by process.kill");
+  }
+  const std::vector<int>& held = context.regions_per_host[host->integer(0, hosts - 1)];
+  if (held.empty()) {
+    throw host->error("host " + host->text() + " holds no region; give it more weight or choose another one");
+  }
+  return held;
+}
+
 /// Reads a process that is no agent, if the map names one.
 bool read_single_process(YamlMap& map, Target& target) {
   for (const auto& [key, role] :
@@ -108,6 +130,10 @@ Target read_target(YamlMap& entry, const FaultType& type, const FaultContext& co
     return target;
   }
   YamlMap map(entry.require("target"));
+  if (type.target == TargetKind::hosts) {
+    target.candidates = read_host(map, context);
+    return target;
+  }
   if (type.target == TargetKind::sensors) {
     const auto field = map.require("field");
     target.field = static_cast<ReportField>(field.one_of(report_field_words()) + 1);
@@ -148,6 +174,8 @@ std::string place_name(const Fault& fault, int region) {
   switch (fault_type(fault.type).target) {
     case TargetKind::engine:
       return "the coordinator";
+    case TargetKind::hosts:
+      return "agent " + std::to_string(region);
     case TargetKind::processes:
       return fault.process == ProcessRole::agent         ? "agent " + std::to_string(region)
              : fault.process == ProcessRole::coordinator ? "the coordinator"

@@ -148,6 +148,9 @@ TEST(Schedule, RefusesFieldsThatAreNotOfTheType) {
   refused("sensor.stuck", "target: {regions: [1], field: vacnt}, duration: 1h", "did you mean `vacant`");
   refused("sensor.off", "target: {regions: [1], field: vacant}, magnitude: 1, duration: 1h", "unknown key `magnitude`");
   refused("sensor.off", "target: {regions: [1], field: vacant}, duration: 1h, visible: true", "unknown key `visible`");
+  refused("host.down", "target: {host: 2}, restart_after: 5min", "from 0 to 1");
+  refused("host.down", "target: {agent: 1}, restart_after: 5min", "unknown key `agent`");
+  refused("host.down", "target: {}, restart_after: 5min", "expected `host: k`");
   refused("process.kill", "target: {agent: 5}, restart_after: 5min", "from 0 to 4");
   refused("process.kill", "target: {regions: [1]}, restart_after: 5min", "unknown key `regions`");
   refused("process.kill", "target: {agent: 1}, duration: 5min", "`restart_after` is missing");

@@ -8,9 +8,9 @@
 
 namespace evbal::testing {
 
-/// A day from 05:00 to 24:00 and five regions, of which 1, 3 and 4 have charging points.
+/// A day from 05:00 to 24:00 and five regions, of which 1, 3 and 4 have charging points, on two hosts.
 inline FaultContext small_context() {
-  return {DayClock{}, {0, 4, 0, 12, 20}};
+  return {DayClock{}, {0, 4, 0, 12, 20}, {{0, 1}, {2, 3, 4}}};
 }
 
 inline std::string replaced(std::string text, const std::string& from, const std::string& to) {

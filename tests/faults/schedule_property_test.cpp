@@ -36,6 +36,8 @@ std::string random_target(const FaultType& type) {
     case TargetKind::processes:
       return "target: " +
              one_of({"{agent: 2}", "{agents: [0, 4]}", "{pick: 3}", "{coordinator: true}", "{injector: true}"}) + ", ";
+    case TargetKind::hosts:
+      return "target: {host: " + one_of({"0", "1"}) + "}, ";
     case TargetKind::topics:
       return "target: {topic: " + one_of(words<NetworkTopic>()) + one_of({"", ", regions: [3]", ", fraction: 0.5"}) +
              "}, ";
@@ -149,7 +151,8 @@ RC_GTEST_PROP(ScheduleProperty, EveryFaultActsInItsWindowOnly, ()) {
       const TickWindow window = tick_window(fault, context.clock);
       RC_ASSERT(window.holds(tick));
       const double neutral = fault_type(fault.type).neutral;
-      const bool absence = effect.type == EffectType::process_kill || effect.type == EffectType::process_pause;
+      const bool absence = effect.type == EffectType::process_kill || effect.type == EffectType::process_pause ||
+                           effect.type == EffectType::host_down;
       RC_ASSERT(effect.magnitude >= (absence ? window.last - tick : std::min(neutral, full)));
       RC_ASSERT(effect.magnitude <= (absence ? window.last - tick : std::max(neutral, full)));
       ++acted[effect.fault];

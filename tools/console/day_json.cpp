@@ -24,7 +24,7 @@ Json type_json(const FaultType& type) {
   static const std::map<TargetKind, const char*> targets = {
       {TargetKind::regions, "regions"},     {TargetKind::stations, "regions"}, {TargetKind::sensors, "sensors"},
       {TargetKind::processes, "processes"}, {TargetKind::links, "regions"},    {TargetKind::topics, "topics"},
-      {TargetKind::engine, "engine"}};
+      {TargetKind::hosts, "regions"},       {TargetKind::engine, "engine"}};
   static const std::map<MagnitudeUnit, const char*> units = {{MagnitudeUnit::none, "none"},
                                                              {MagnitudeUnit::number, "number"},
                                                              {MagnitudeUnit::minutes, "minutes"},

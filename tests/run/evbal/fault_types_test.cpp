@@ -16,9 +16,9 @@ namespace {
 /// All types one after another, each for an hour and a half.
 std::string one_of_each() {
   std::string text = "schema: 1\nseed: 1\nfaults:\n";
-  int start = 6 * 60;
+  int start = 5 * 60 + 15;
   for (const auto& [type, fields] : fault_fields()) {
-    const bool kill = std::string(type) == "process.kill";
+    const bool kill = comes_back(type);
     const std::string minute = std::to_string(100 + start % 60).substr(1);
     const std::string hour = std::to_string(100 + start / 60).substr(1);
     text.append("  - {name: ").append(type).append(", type: ").append(type);

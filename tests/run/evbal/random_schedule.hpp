@@ -9,8 +9,8 @@
 namespace evbal {
 
 /// Every type of fault with fields that fit toy-5 and San Francisco, but for name, start and duration.
-inline const std::array<std::pair<const char*, const char*>, 24>& fault_fields() {
-  static const std::array<std::pair<const char*, const char*>, 24> fields{
+inline const std::array<std::pair<const char*, const char*>, 25>& fault_fields() {
+  static const std::array<std::pair<const char*, const char*>, 25> fields{
       {{"demand.scale", "target: {pick: 2}, magnitude: {uniform: {min: 0, max: 4}}, ramp: 5min"},
        {"demand.add", "target: {pick: 2}, magnitude: {uniform: {min: 0, max: 90}}"},
        {"demand.shift", "target: {pick: 3}, magnitude: {uniform: {min: 0, max: 1}}, to: 1"},
@@ -34,8 +34,14 @@ inline const std::array<std::pair<const char*, const char*>, 24>& fault_fields()
        {"network.delay", "target: {topic: plan, pick: 2}, magnitude: 3min"},
        {"network.partition", "target: {pick: 2}"},
        {"solver.fail", ""},
-       {"solver.starve", "magnitude: {iterations: {uniform: {min: 1, max: 5}}}"}}};
+       {"solver.starve", "magnitude: {iterations: {uniform: {min: 1, max: 5}}}"},
+       {"host.down", "target: {regions: [1, 2]}"}}};
   return fields;
+}
+
+/// Whether a type of fault is said to be over by `restart_after`.
+inline bool comes_back(const std::string& type) {
+  return type == "process.kill" || type == "host.down";
 }
 
 /// When the faults of a random schedule begin, and how many there are.
@@ -52,7 +58,7 @@ inline std::string random_schedule(std::uint64_t seed, const Extent& extent) {
   const std::uint64_t count = 1 + stream.below(extent.most);
   for (std::uint64_t i = 0; i < count; ++i) {
     const auto& [type, own] = fault_fields().at(stream.below(fault_fields().size()));
-    const bool kill = std::string(type) == "process.kill";
+    const bool kill = comes_back(type);
     text += "  - {name: f" + std::to_string(i) + ", type: " + type + ", ";
     text += "start: {uniform: {min: \"" + extent.from + "\", max: \"" + extent.to + "\"}}, ";
     text += std::string(kill ? "restart_after" : "duration") + ": {exponential: {mean: 40min}}";
