@@ -13,6 +13,14 @@ Command command_from(const std::filesystem::path& base, Command words) {
   return words;
 }
 
+std::string shell_word(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) {
+    result += c == '\'' ? "'\\''" : std::string{c};
+  }
+  return result + "'";
+}
+
 std::string shown(const Command& command) {
   std::string text;
   for (const auto& word : command) {

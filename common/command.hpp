@@ -13,6 +13,9 @@ using Command = std::vector<std::string>;
 /// start at `base`. A program without a slash is left to be found when it is started.
 Command command_from(const std::filesystem::path& base, Command words);
 
+/// The text as one word of a shell's.
+std::string shell_word(const std::string& text);
+
 /// The words in one line, for messages.
 std::string shown(const Command& command);
 

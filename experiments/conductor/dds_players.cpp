@@ -1,5 +1,6 @@
 #include "experiments/conductor/dds_players.hpp"
 
+#include "agents/bus/ports.hpp"
 #include "agents/bus/surroundings.hpp"
 #include "agents/hosting/process.hpp"
 #include "common/error.hpp"
@@ -11,7 +12,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <csignal>
 #include <map>
 #include <utility>
 #include <vector>
@@ -97,25 +97,29 @@ DdsPlayers::DdsPlayers(const DdsRun& run) : run_(run), journals_(run.folder / "j
 DdsPlayers::~DdsPlayers() = default;
 
 bool DdsPlayers::begins_in_domain() {
+  const std::string own = address_towards(addresses(run_.hosts));
   const BusAddress address{.run = new_run_id(),
                            .domain = domain_->domain(),
                            .participant = BusAddress::conductor,
                            .participants = run_.participants(),
                            .apart = run_.network.has_value(),
+                           .host = own,
+                           .launcher = own,
                            .profiles = run_.profiles};
   try {
-    supervisor_.emplace(run_.folder / "processes");
+    supervisor_.emplace(run_.folder / "processes", connect_hosts());
     participant_.emplace(address, "conductor");
     topics_ = std::make_unique<Topics>(*participant_);
     start_processes(address);
     await_hellos();
     return true;
   } catch (const Error&) {
+    const bool reached_hosts = supervisor_.has_value() && !run_.hosts.empty();
     supervisor_.reset();
     topics_.reset();
     participant_.reset();
     absent_.clear();
-    if (domain_->complaint().empty()) {
+    if (domain_->complaint().empty() && (!reached_hosts || complaint_of_hosts().empty())) {
       throw;
     }
     return false;
@@ -156,7 +160,12 @@ void DdsPlayers::await_hellos(std::size_t but) {
 }
 
 void DdsPlayers::look_after_processes() {
-  for (const auto& death : supervisor_->revive()) {
+  const std::vector<Death> deaths = supervisor_->revive();
+  for (const auto& host : supervisor_->hosts_gone()) {
+    log_line(LogLevel::warn, "host gone: " + host);
+    incidents_.push_back({"host gone", host});
+  }
+  for (const auto& death : deaths) {
     log_line(LogLevel::info, death.process + ": " + death.how + ", started again");
     incidents_.push_back({"process ended", death.process + ": " + death.how});
     absent_.insert(death.process);
@@ -244,7 +253,7 @@ std::vector<PlayerProcess> DdsPlayers::processes() const {
 void DdsPlayers::kill(const std::string& name) {
   for (const auto& process : processes()) {
     if (process.name == name && process.id != 0) {
-      ::kill(process.id, SIGKILL);
+      supervisor_->strike(name);
       return;
     }
   }
@@ -287,6 +296,9 @@ Exchange DdsPlayers::play(const Tick& tick) {
   };
   newest_ = std::max(newest_, tick.tick);
   said_ = tick;
+  if (!run_.hosts.empty()) {
+    told_.emplace_back(tick, std::nullopt);
+  }
   legs().time("tick", [&] { say(tick); });
   Exchange exchange;
   if (tick.plan_due && !tick.unattended) {
@@ -310,6 +322,9 @@ Exchange DdsPlayers::play(const Tick& tick) {
     legs().time("plan", [&] {
       await("plan" + of_tick, topics_->plan, planned, [] { return std::set<std::string>{"coordinator"}; });
     });
+    if (!told_.empty()) {
+      told_.back().second = exchange.plan;
+    }
   }
   Collected<Departures> departures(tick.tick, tick.due);
   const auto all_departed = [&] {

@@ -8,6 +8,7 @@
 #include "experiments/conductor/lossy_network.hpp"
 #include "experiments/conductor/players.hpp"
 #include "experiments/conductor/supervisor.hpp"
+#include "experiments/scenario/hosts.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -35,6 +36,7 @@ struct DdsRun {
   std::optional<NetworkConditions> network{};     ///< between each agent and the others
   std::uint64_t seed = 0;                         ///< of what it loses
   std::filesystem::path profiles{};               ///< as in BusAddress
+  std::vector<HostSpec> hosts{};                  ///< of the agents; none: this one. Not together with `network`
 
   /// Processes that host regions.
   int agents() const { return (regions + regions_per_process - 1) / regions_per_process; }
@@ -47,7 +49,8 @@ struct DdsRun {
 };
 
 /// The others as processes on the bus: starts them, waits until all are there, and ends them when destroyed. One that
-/// a signal from outside ends meanwhile is started again and waited for. What strangers say on the bus is refused and
+/// a signal from outside ends meanwhile is started again and waited for. An agent whose host is gone goes on on another
+/// one, from all that it was told before. What strangers say on the bus is refused and
 /// counted as an incident. Made before anything else of this process touches DDS.
 class DdsPlayers : public Players {
  public:
@@ -83,6 +86,12 @@ class DdsPlayers : public Players {
   void write_agent_worlds() const;
   std::filesystem::path world_of(int agent) const;
   void start_processes(BusAddress address);
+
+  /// Connects to the hosts of the run.
+  OtherHosts connect_hosts() const;
+  /// What an agent on another host needs there.
+  std::vector<SentFile> files_of(const std::string& agent) const;
+  std::string complaint_of_hosts() const;
   void await_hellos(std::size_t but = 0);
   void bring_back(const std::string& name, Absence how);
   std::string host_of(int region) const;
@@ -110,7 +119,8 @@ class DdsPlayers : public Players {
   std::chrono::steady_clock::time_point looked_;                         ///< when the processes were looked after
   std::vector<Incident> incidents_;
   Absences away_;
-  int newest_ = -1;                                ///< tick that was announced
+  std::vector<std::pair<Tick, std::optional<Plan>>> told_;  ///< if agents are on other hosts
+  int newest_ = -1;                                         ///< tick that was announced
   Tick said_;                                      ///< what was announced last; of number -1 before the first tick
   int newest_fault_ = -1;                          ///< that was added to the schedule and has not been said yet
   std::chrono::steady_clock::time_point said_at_;  ///< when it was last announced

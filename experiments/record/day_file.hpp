@@ -42,11 +42,12 @@ RequestedFault requested(const Fault& fault);
 ///     vehicles    tick, region, seq, minute, to_region, errand, vehicle_id, km, ...      who set off
 ///     fates       tick, region, seq, appeared, waited, served, ...      passengers
 ///     events      tick, seq, kind, what                      a fault begins or ends, a plan falls back, a report is
-///                                                            rejected, a process ended unasked or is back
+///                                                            rejected, a process ended unasked or is back, a host
+///                                                            is gone
 ///
 /// `seq` counts the like entries of one message. Columns `origin_process_id` and `origin_seconds` of
 /// injector, reports, plans and departures name the writer of a message and its CPU seconds. They, and events of the
-/// kinds "process ended" and "process back", may differ between two runs of a scenario; nothing else does.
+/// kinds "process ended", "process back" and "host gone", may differ between two runs of a scenario; nothing else does.
 ///
 /// All members throw Error{run_failed} if the file cannot be written.
 class DayFile {

@@ -17,11 +17,6 @@ using namespace std::chrono_literals;
 
 constexpr std::chrono::steady_clock::duration look = 50ms;  // between looks for requests while the day stands still
 
-FaultContext context_of(const World& world) {
-  const Eigen::VectorXi points = world.city.points();
-  return {world.clock, {points.begin(), points.end()}};
-}
-
 std::string schedule_text(const Schedule& schedule, const DayClock& clock) {
   YamlWriter yaml;
   write_schedule(yaml, schedule, clock);
@@ -95,7 +90,7 @@ std::string DayDoor::add_fault(const YamlValue& entry) {
     throw entry.error("controller `" + controller + "` was told the day's faults before it began; choose another one");
   }
   const World& world = day_.scenario.world;
-  Schedule amended = with_fault_by_hand(day_.schedule, entry, context_of(world), pace_.tick);
+  Schedule amended = with_fault_by_hand(day_.schedule, entry, fault_context(day_.scenario), pace_.tick);
   Scenario scenario = day_.scenario;
   scenario.schedule = amended;
   const Fault& fault = amended.faults.back();

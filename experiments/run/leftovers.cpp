@@ -1,21 +1,29 @@
 #include "experiments/run/leftovers.hpp"
 
 #include "common/error.hpp"
+#include "common/run_program.hpp"
 #include "experiments/run/run_folder.hpp"
+#include "experiments/scenario/hosts.hpp"
 
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <optional>
+#include <sstream>
 
 namespace evbal {
 namespace {
 
 namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+constexpr auto longest_answer = 30s;  // of another host
 
 std::vector<std::string> command_line(const std::string& process) {
   std::ifstream in("/proc/" + process + "/cmdline");
@@ -55,7 +63,9 @@ std::optional<Orphan> orphan(const std::string& process) {
   }
   const long launcher = std::strtol((option + 1)->c_str(), nullptr, 10);
   const pid_t parent = parent_of(process);
-  if (launcher <= 0 || parent <= 0 || parent == launcher) {
+  const std::vector<std::string> above = command_line(std::to_string(parent));
+  const bool kept = above.size() > 1 && above[1] == "keep";  // its launcher is on another host
+  if (launcher <= 0 || parent <= 0 || parent == launcher || kept) {
     return std::nullopt;
   }
   return Orphan{fs::path(words.front()).filename(), *(option + 1)};
@@ -108,12 +118,65 @@ void add_journals(std::vector<Leftover>& found) {
   }
 }
 
+/// The hosts that a run's scenario names, by their names in messages.
+void add_hosts_of(const fs::path& run, std::map<std::string, HostSpec>& hosts) {
+  std::error_code failed;
+  for (fs::recursive_directory_iterator entry(run, failed), end; !failed && entry != end; entry.increment(failed)) {
+    if (entry->path().filename() == "scenario.resolved.yaml") {
+      try {
+        YamlMap scenario(YamlValue::load(entry->path()));
+        const auto list = scenario.find("hosts");
+        for (const HostSpec& host : list ? read_hosts(*list) : std::vector<HostSpec>{}) {
+          hosts.emplace(shown(host), host);
+        }
+      } catch (const Error&) {  // no scenario of ours
+      }
+    }
+  }
+}
+
+/// What a shell on the host says. Throws Error{run_failed} if it cannot be asked.
+std::string answer_of(const HostSpec& host, const std::string& script) {
+  const ProgramResult result = run_program(on_host(host, script), longest_answer);
+  if (result.status != 0) {
+    throw run_failed("host " + shown(host) + " cannot be asked: " + result.errors);
+  }
+  return result.output;
+}
+
+/// Folders of runs (experiments/conductor/kept_host.hpp) that no keeper on the host holds.
+void add_folders_on(const HostSpec& host, std::vector<Leftover>& found) {
+  try {
+    std::istringstream folders(answer_of(host,
+                                         "for d in \"${TMPDIR:-/tmp}\"/evbal-host-*; do [ -O \"$d\" ] && "
+                                         "flock -n \"$d\" echo \"$d\"; done; true"));
+    for (std::string folder; std::getline(folders, folder);) {
+      const std::string remove = "flock -n " + shell_word(folder) + " rm -rf " + shell_word(folder);
+      found.push_back({folder + " on host " + shown(host), [host, remove] { answer_of(host, remove); }});
+    }
+  } catch (const Error& error) {
+    found.push_back({"perhaps something: " + std::string(error.what()), [error] { throw error; }});
+  }
+}
+
+void add_hosts(std::vector<Leftover>& found) {
+  std::map<std::string, HostSpec> hosts;
+  std::error_code failed;
+  for (fs::directory_iterator run("runs", failed), end; !failed && run != end; run.increment(failed)) {
+    add_hosts_of(run->path(), hosts);
+  }
+  for (const auto& [name, host] : hosts) {
+    add_folders_on(host, found);
+  }
+}
+
 }  // namespace
 
 std::vector<Leftover> find_leftovers() {
   std::vector<Leftover> found;
   add_processes(found);
   add_journals(found);
+  add_hosts(found);
   std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.what < b.what; });
   return found;
 }

@@ -50,7 +50,8 @@ std::unique_ptr<Players> players_of(const Scenario& scenario, const Schedule& sc
                                                .coordinator = startable(scenario.planning.coordinator),
                                                .network = scenario.network,
                                                .seed = scenario.world.seed,
-                                               .profiles = scenario.dds_profiles});
+                                               .profiles = scenario.dds_profiles,
+                                               .hosts = scenario.hosts});
   }
   return std::make_unique<InprocPlayers>(
       scenario.world, plans_of(scenario, folder),
@@ -146,6 +147,7 @@ Scenario without_faults(Scenario scenario) {
   scenario.cross_check = CrossCheck::off;
   scenario.transport = own_transport(scenario);
   scenario.network.reset();
+  scenario.hosts.clear();
   scenario.dds_profiles.clear();
   return scenario;
 }

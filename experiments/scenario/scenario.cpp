@@ -48,8 +48,7 @@ void read_fault_file(const std::filesystem::path& file, const FaultContext& cont
 }
 
 void read_faults(YamlMap& scenario_map, const std::optional<std::filesystem::path>& file, Scenario& scenario) {
-  const Eigen::VectorXi points = scenario.world.city.points();
-  const FaultContext context{scenario.world.clock, {points.begin(), points.end()}};
+  const FaultContext context = fault_context(scenario);
   const auto own = scenario_map.find("faults");
   if (file) {
     read_fault_file(*file, context, scenario);
@@ -93,20 +92,17 @@ void apply(const Overrides& overrides, Scenario& scenario) {
     const std::string day = known_word("--day", *overrides.day, scenario.world.city.days);
     scenario.world.day = read_demand(scenario.world.city, day);
   }
-  if (overrides.regions_per_process) {
-    if (*overrides.regions_per_process < 1) {
-      throw bad_input("--regions-per-process: must be at least 1");
-    }
-    scenario.regions_per_process = *overrides.regions_per_process;
-  }
   if (overrides.dds_profiles) {
     scenario.dds_profiles = std::filesystem::absolute(*overrides.dds_profiles);
   }
   scenario.world.seed = overrides.seed.value_or(scenario.world.seed);
 }
 
-/// What acts on the bus is given for a run over the bus only.
+/// What acts on the bus is given for a run over the bus only, and a network of the run's own on one host only.
 void check_transport(const Scenario& scenario) {
+  if (scenario.network && !scenario.hosts.empty()) {
+    throw bad_input("network: is of the run's own on one host, and there are `hosts`; leave one of them out");
+  }
   const auto needs_bus = [&](bool given, const std::string& what) {
     if (given && scenario.transport != "dds") {
       throw bad_input(what + " the bus; with transport `" + scenario.transport + "` there is none, choose `dds`");
@@ -114,6 +110,15 @@ void check_transport(const Scenario& scenario) {
   };
   needs_bus(scenario.network.has_value(), "network: acts on");
   needs_bus(!scenario.dds_profiles.empty(), "dds_profiles: are of");
+}
+
+int read_regions_per_process(YamlMap& map, const Overrides& overrides, int regions) {
+  const auto given = map.find("regions_per_process");
+  const int of_file = given ? given->integer(1, 1'000'000) : usual_regions_per_process(regions);
+  if (overrides.regions_per_process.value_or(1) < 1) {
+    throw bad_input("--regions-per-process: must be at least 1");
+  }
+  return overrides.regions_per_process.value_or(of_file);
 }
 
 /// The name that the file gives, else the file's own.
@@ -166,11 +171,12 @@ Scenario read_scenario(const YamlValue& yaml, const Overrides& overrides) {
   scenario.controllers = read_controllers(map, scenario.planning);
   const auto transport = map.find("transport");
   scenario.transport = transport ? transports[transport->one_of(transports)] : transports.front();
-  const auto hosted = map.find("regions_per_process");
-  scenario.regions_per_process =
-      hosted ? hosted->integer(1, 1'000'000) : usual_regions_per_process(scenario.world.city.size());
+  scenario.regions_per_process = read_regions_per_process(map, overrides, scenario.world.city.size());
   if (const auto network = map.find("network")) {
     scenario.network = read_network(*network);
+  }
+  if (const auto hosts = map.find("hosts")) {
+    scenario.hosts = read_hosts(*hosts);
   }
   if (const auto profiles = map.find("dds_profiles")) {
     scenario.dds_profiles = std::filesystem::absolute(profiles->file()).parent_path() / profiles->text();
@@ -190,6 +196,13 @@ Scenario read_scenario(const YamlValue& yaml, const Overrides& overrides) {
   return scenario;
 }
 
+FaultContext fault_context(const Scenario& scenario) {
+  const Eigen::VectorXi points = scenario.world.city.points();
+  return {scenario.world.clock,
+          {points.begin(), points.end()},
+          regions_by_host(scenario.hosts, static_cast<int>(points.size()), scenario.regions_per_process)};
+}
+
 std::string resolved_yaml(const Scenario& scenario, const std::string& controller) {
   PlanningSettings planning = scenario.planning;
   planning.controller = controller;
@@ -202,6 +215,10 @@ std::string resolved_yaml(const Scenario& scenario, const std::string& controlle
   if (scenario.network) {
     yaml.key("network");
     write_network(yaml, *scenario.network);
+  }
+  if (!scenario.hosts.empty() && scenario.transport == "dds") {
+    yaml.key("hosts");
+    write_hosts(yaml, scenario.hosts);
   }
   if (!scenario.dds_profiles.empty()) {
     yaml.key("dds_profiles").text(scenario.dds_profiles.string());

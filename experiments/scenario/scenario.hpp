@@ -3,6 +3,7 @@
 #include "agents/world/world.hpp"
 #include "coordinator/planning/settings.hpp"
 #include "experiments/scenario/expect.hpp"
+#include "experiments/scenario/hosts.hpp"
 #include "experiments/scenario/network_conditions.hpp"
 #include "faults/schedule/schedule.hpp"
 
@@ -34,6 +35,7 @@ struct Scenario {
   std::string transport;        ///< "dds" or "inproc"
   int regions_per_process = 1;  ///< regions that one evbal-agent hosts
   std::optional<NetworkConditions> network{};  ///< on the bus, below DDS
+  std::vector<HostSpec> hosts{};               ///< of the regions over the bus; empty: the machine of the launcher
   std::filesystem::path dds_profiles{};        ///< XML file of Fast DDS for the bus; empty: none
   std::vector<Expect> expect;                  ///< what shall hold of the result
   CrossCheck cross_check = CrossCheck::off;    ///< none of what happens depends on it
@@ -70,6 +72,9 @@ Scenario read_scenario(const std::filesystem::path& file, const Overrides& overr
 
 /// The same from a file that is loaded, perhaps with settings in place of its own (YamlValue::with).
 Scenario read_scenario(const YamlValue& yaml, const Overrides& overrides = {});
+
+/// What the scenario's schedules may refer to.
+FaultContext fault_context(const Scenario& scenario);
 
 /// The run of one controller with everything explicit, as YAML: read_scenario gives it back, and the processes read
 /// their own keys from it by read_world, read_planning and read_resolved.

@@ -37,11 +37,6 @@ Scenario read_without_faults(const YamlValue& yaml, Overrides overrides) {
   return scenario;
 }
 
-FaultContext context_of(const Scenario& scenario) {
-  const Eigen::VectorXi points = scenario.world.city.points();
-  return {scenario.world.clock, {points.begin(), points.end()}};
-}
-
 std::optional<Expect> under_search(const Scenario& scenario) {
   std::optional<Expect> found;
   for (const auto& expect : scenario.expect) {
@@ -83,7 +78,7 @@ SearchTask read_search_task(const std::filesystem::path& file, const Overrides& 
   const YamlValue yaml = with_settings(YamlValue::load(file), overrides.settings);
   SearchTask task{.scenario = read_without_faults(yaml, overrides)};
   YamlMap schedule = schedule_map(yaml, overrides);
-  task.ingredients = read_ingredients(schedule, context_of(task.scenario));
+  task.ingredients = read_ingredients(schedule, fault_context(task.scenario));
   const auto more = overrides.faults ? schedule.find("expect") : std::nullopt;
   if (more) {
     const std::vector<Expect> expected = read_expect(*more);

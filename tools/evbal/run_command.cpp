@@ -236,12 +236,25 @@ void play_all_draws(const Draws& draws, const OutFolder& out, bool over_bus, con
   }
 }
 
+/// Says what strangers can do to a day over several hosts.
+void warn_of_strangers(const Scenario& scenario) {
+  const bool apart =
+      std::ranges::any_of(scenario.hosts, [](const HostSpec& host) { return !host.address.starts_with("127."); });
+  if (apart && scenario.transport == "dds") {
+    std::fputs(
+        "hosts: nothing that is said between them is signed or encrypted: anyone on their network can read the day, "
+        "write reports, plans and departures into it, and stop it; use a network that you trust\n",
+        stderr);
+  }
+}
+
 void run(const RunArguments& arguments) {
   catch_interrupts();
   begin_log("evbal", log_level_of(arguments.log_level));
   const Overrides& overrides = arguments.options.overrides;
   const Scenario scenario = read_scenario(find_scenario(arguments.options.scenario), overrides);
   check_planning(scenario);
+  warn_of_strangers(scenario);
   const fs::path folder = arguments.out.empty() ? claim_folder(scenario) : fs::path(arguments.out);
   if (arguments.watch && scenario.draws.size() > 1) {
     throw bad_input("--watch: shows one day; leave `runs` out of the schedule");
@@ -267,7 +280,8 @@ void run(const RunArguments& arguments) {
 
 void add_run_command(CLI::App& app) {
   const auto arguments = std::make_shared<RunArguments>();
-  CLI::App* command = app.add_subcommand("run", "Play the day of a scenario and record it");
+  CLI::App* command = app.add_subcommand(
+      "run", "Play the day of a scenario and record it, over several hosts if it names some (key `hosts`)");
   add_scenario_options(*command, arguments->options);
   command->add_option("--out", arguments->out,
                       "Run directory, new, empty or of a run that broke off; otherwise one under runs/");

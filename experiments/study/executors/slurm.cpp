@@ -45,15 +45,6 @@ class Questions {
   std::chrono::milliseconds interval_ = first_question;
 };
 
-/// For a shell.
-std::string quoted(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) {
-    result += c == '\'' ? "'\\''" : std::string{c};
-  }
-  return result + "'";
-}
-
 /// Throws Error{run_failed} if a task does not end. Where there is no Slurm, nothing is to be cancelled.
 void cancel_all_in(const fs::path& folder, const Pause& pause) {
   auto arrays = arrays_in(folder).value_or(std::set<std::string>{});
@@ -167,8 +158,8 @@ class Submitted {
     const fs::path list_file = folder_ / ("array-" + names.front() + ".txt");
     const fs::path script = folder_ / ("array-" + names.front() + ".sh");
     write_file(list_file, list);
-    write_file(script, "#!/bin/sh\nname=$(sed -n \"${SLURM_ARRAY_TASK_ID}p\" " + quoted(list_file.string()) +
-                           ")\nexec " + quoted((own_folder() / "evbal").string()) + " slurm-task \"$name.yaml\"\n");
+    write_file(script, "#!/bin/sh\nname=$(sed -n \"${SLURM_ARRAY_TASK_ID}p\" " + shell_word(list_file.string()) +
+                           ")\nexec " + shell_word((own_folder() / "evbal").string()) + " slurm-task \"$name.yaml\"\n");
     arrays_.push_back(submitted({script, folder_, days.size(), at_a_time, tasks_.task_limit, after}));
     for (std::size_t i = 0; i < days.size(); ++i) {
       left_[names[i]] = {days[i], arrays_.back(), i + 1};

@@ -100,7 +100,8 @@ class ToyDay : public testing::Test {
                         .regions = scenario_.world.city.size(),
                         .regions_per_process = regions_per_process,
                         .world = &scenario_.world,
-                        .programs = EVBAL_PROGRAMS});
+                        .programs = EVBAL_PROGRAMS,
+                        .hosts = hosts_});
     return digest_of(players, observe);
   }
 
@@ -116,6 +117,7 @@ class ToyDay : public testing::Test {
   Folder folder_;
   Scenario scenario_;
   CityModel model_;
+  std::vector<HostSpec> hosts_;
   std::set<std::int64_t> writers_;  ///< processes that made a report or a plan
 };
 
