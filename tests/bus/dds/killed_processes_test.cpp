@@ -1,5 +1,6 @@
 // Processes of a run killed from outside, at any moment: the day must be the one in which nobody was.
 
+#include "agents/world/synthetic.hpp"
 #include "common/random.hpp"
 #include "tests/bus/dds/run_processes.hpp"
 #include "tests/bus/dds/toy_day.hpp"
@@ -80,14 +81,42 @@ class Killer {
 
 constexpr int kills_a_day = 10;
 
-/// A few in a plain run of the tests, `many` if the environment has EVBAL_LONG.
+bool is_long() {
+  return std::getenv("EVBAL_LONG") != nullptr;
+}
+
+/// A few in a plain run of the tests, `many` in a long one.
 int kills(int few, int many) {
-  return std::getenv("EVBAL_LONG") == nullptr ? few : many;
+  return is_long() ? many : few;
 }
 
 class KilledProcessesTest : public test::ToyDay {
  protected:
   KilledProcessesTest() { end_at_eleven(); }
+
+  /// Plays a generated city of so many regions in place of the toy, until eleven, without plans of cars.
+  void play_large_city(int regions) {
+    const auto made = synthetic_city({.name = "large",
+                                      .regions = regions,
+                                      .train_days = 1,
+                                      .test_days = 1,
+                                      .trips_per_day = 20'000.0,
+                                      .vehicles = 4 * regions,
+                                      .stations = regions / 5,
+                                      .points = regions / 2});
+    write_city(made.city, made.days, folder_.path() / "large");
+    model_ = test::rough_model(made.city);
+    model_.turnover.same_step_dropoffs.setConstant(0.5 / regions);
+    write_model(model_, folder_.path() / "large/model.json");
+    folder_.write("large.yaml",
+                  "schema: 1\nseed: 1\nday: 2024-01-02\ncontrollers: [none]\n"
+                  "clock: {start: \"05:00\", end: \"11:00\", tick: 5min, step: 30min, plan_every: 10min}\n"
+                  "city: " +
+                      (folder_.path() / "large").string() + "\n");
+    scenario_ = read_scenario(folder_.path() / "large.yaml");
+    scenario_.planning.controller = "none";
+    write_scenario();
+  }
 
   /// Days in which so many of the victims are killed; each must be the undisturbed one.
   void expect_undisturbed(const std::vector<std::string>& victims, int kills) {
@@ -152,6 +181,19 @@ TEST_F(KilledProcessesTest, TheCoordinatorCostsNothingWhileSensorsLie) {
 
 TEST_F(KilledProcessesTest, TheInjectorCostsNothing) {
   expect_undisturbed({"faults"}, kills(2, 5));
+}
+
+TEST_F(KilledProcessesTest, SomeOfHundredsOfAgentsCostNothing) {
+  if (!is_long()) {
+    GTEST_SKIP() << "takes minutes: only with EVBAL_LONG in the environment";
+  }
+  constexpr int regions = 247;
+  play_large_city(regions);
+  std::vector<std::string> agents;
+  for (int region = 0; region < regions; ++region) {
+    agents.push_back("agent-" + std::to_string(region));
+  }
+  expect_undisturbed(agents, 30);
 }
 
 TEST_F(KilledProcessesTest, AllAtOnceCostNothing) {

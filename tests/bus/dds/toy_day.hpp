@@ -67,7 +67,9 @@ class ToyDay : public testing::Test {
   }
 
   /// To be called once `scenario_` is changed.
-  void write_scenario() const { folder_.write("scenario.resolved.yaml", resolved_yaml(scenario_, "robust")); }
+  void write_scenario() const {
+    folder_.write("scenario.resolved.yaml", resolved_yaml(scenario_, scenario_.planning.controller));
+  }
 
   using Observer = std::function<void(const TickRecord&)>;
 
