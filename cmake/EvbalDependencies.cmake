@@ -37,6 +37,7 @@ else()
   find_package(fastrtps REQUIRED)
   set(fast_dds fastrtps)
 endif()
+find_package(OpenSSL REQUIRED)
 
 # COIN-OR ships no CMake configuration. Ipopt 3.11.9 includes <cstddef> only if it is told that there is one.
 # Debian 13's shared libipopt is linked to a MUMPS with Open MPI, which catches signals as soon as it is loaded and leaves

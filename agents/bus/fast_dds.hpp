@@ -1,6 +1,7 @@
 #pragma once
 
 #include "agents/bus/cdr.hpp"
+#include "agents/bus/roster.hpp"
 
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
@@ -20,6 +21,7 @@
 #include <fastrtps/utils/IPLocator.h>
 #endif
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -81,6 +83,58 @@ inline bool succeeded(const ReturnCode& code) {
 inline bool succeeded(bool done) {
   return done;
 }
+
+inline GuidPrefix prefix_of(const rtps::GUID_t& guid) {
+  GuidPrefix prefix{};
+  std::copy_n(guid.guidPrefix.value, prefix.size(), prefix.begin());
+  return prefix;
+}
+
+/// Is told who comes to the bus and leaves it, and who proves to belong there or fails to.
+class DiscoveryListener : public dds::DomainParticipantListener {
+ public:
+  virtual void on_seen(const GuidPrefix& who, const std::string& name) = 0;
+  virtual void on_left(const GuidPrefix& who) = 0;
+  virtual void on_proof(const GuidPrefix& who, bool proved) = 0;
+
+#ifdef EVBAL_FAST_DDS_3
+
+  void on_participant_discovery(dds::DomainParticipant* /*participant*/, rtps::ParticipantDiscoveryStatus status,
+                                const dds::ParticipantBuiltinTopicData& info, bool& /*should_be_ignored*/) override {
+    tell(status, info.guid, info.participant_name.to_string());
+  }
+  void onParticipantAuthentication(dds::DomainParticipant* /*participant*/,
+                                   rtps::ParticipantAuthenticationInfo&& info) override {
+    on_proof(prefix_of(info.guid), info.status == info.AUTHORIZED_PARTICIPANT);
+  }
+
+ private:
+  using Status = rtps::ParticipantDiscoveryStatus;
+
+#else
+
+  void on_participant_discovery(dds::DomainParticipant* /*participant*/,
+                                rtps::ParticipantDiscoveryInfo&& info) override {
+    tell(info.status, info.info.m_guid, info.info.m_participantName.to_string());
+  }
+  void onParticipantAuthentication(dds::DomainParticipant* /*participant*/,
+                                   rtps::ParticipantAuthenticationInfo&& info) override {
+    on_proof(prefix_of(info.guid), info.status == info.AUTHORIZED_PARTICIPANT);
+  }
+
+ private:
+  using Status = rtps::ParticipantDiscoveryInfo::DISCOVERY_STATUS;
+
+#endif
+
+  void tell(Status status, const rtps::GUID_t& guid, const std::string& name) {
+    if (status == Status::DISCOVERED_PARTICIPANT) {
+      on_seen(prefix_of(guid), name);
+    } else if (status != Status::CHANGED_QOS_PARTICIPANT) {
+      on_left(prefix_of(guid));
+    }
+  }
+};
 
 /// How a sample becomes bytes, and bytes a sample.
 template <class Message>

@@ -1,15 +1,15 @@
 #include "agents/bus/participant.hpp"
 
+#include "agents/bus/bus_listener.hpp"
 #include "agents/bus/fast_dds.hpp"
+#include "agents/bus/keys.hpp"
 #include "agents/bus/ports.hpp"
+#include "agents/bus/roster.hpp"
 #include "agents/bus/surroundings.hpp"
 #include "agents/bus/topics.hpp"
 #include "common/error.hpp"
 
 #include <algorithm>
-#include <condition_variable>
-#include <cstring>
-#include <mutex>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -32,15 +32,6 @@ constexpr int announcements_ms = 1000;
 constexpr int announcements_ms_a_head = 12;
 constexpr int kept_samples = 16;         // of reports and departures, for readers that are a little behind
 constexpr int unread_samples = 1 << 14;  // that a reader of many writers holds at most
-
-/// The number of the participant that wrote a sample. Fast DDS keeps it in bytes 8 and 9 of a GUID's prefix; in the two
-/// that follow, version 3 counts the participants of that number that the process has had before.
-int number_of_writer(const dds::SampleInfo& info) {
-  const auto& prefix = info.sample_identity.writer_guid().guidPrefix.value;
-  std::uint16_t number = 0;
-  std::memcpy(&number, prefix + 8, sizeof number);
-  return number;
-}
 
 template <class Entity>
 Entity* made(Entity* entity, const std::string& what) {
@@ -141,6 +132,20 @@ void set_delivery(Qos& qos, bool latest, int depth) {
   qos.resource_limits().allocated_samples = 1;
 }
 
+template <class Message>
+bool speaks_for_itself(const BusAddress& /*address*/, int /*from*/, const Message& /*message*/) {
+  return true;
+}
+
+bool speaks_for_itself(const BusAddress& /*address*/, int from, const Hello& hello) {
+  return hello.name == name_of(from);
+}
+
+template <class Regional>
+bool speaks_for_itself(const BusAddress& address, int from, const std::vector<Regional>& batch) {
+  return std::ranges::all_of(batch, [&](const auto& message) { return address.agent_of(message.region) == from; });
+}
+
 }  // namespace
 
 std::string address_of_host(int host) {
@@ -148,43 +153,27 @@ std::string address_of_host(int host) {
   return "10.77." + std::to_string(host / in_a_row) + "." + std::to_string(host % in_a_row + 1);
 }
 
-/// Counts how often an end of a topic has found, or lost, another.
-class Matches : public dds::DomainParticipantListener {
- public:
-  void on_publication_matched(dds::DataWriter* /*writer*/, const dds::PublicationMatchedStatus& /*status*/) override {
-    count();
+std::string name_of(int participant) {
+  switch (participant) {
+    case BusAddress::conductor:
+      return "conductor";
+    case BusAddress::coordinator:
+      return "coordinator";
+    case BusAddress::injector:
+      return "faults";
+    default:
+      return "agent-" + std::to_string(participant - BusAddress::first_agent);
   }
-  void on_subscription_matched(dds::DataReader* /*reader*/, const dds::SubscriptionMatchedStatus& /*status*/) override {
-    count();
-  }
-
-  /// Until there is one since the last call.
-  void wait(std::chrono::milliseconds at_most) {
-    std::unique_lock lock(mutex_);
-    changed_.wait_for(lock, at_most, [&] { return count_ != seen_; });
-    seen_ = count_;
-  }
-
- private:
-  void count() {
-    const std::lock_guard lock(mutex_);
-    ++count_;
-    changed_.notify_one();
-  }
-
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::uint64_t count_ = 0;
-  std::uint64_t seen_ = 0;
-};
+}
 
 struct Participant::Entities {
-  Matches matches;
+  Roster roster;
+  BusListener listener{roster};
   dds::DomainParticipant* participant = nullptr;
   dds::Publisher* publisher = nullptr;
   dds::Subscriber* subscriber = nullptr;
 
-  Entities() = default;
+  explicit Entities(const BusAddress& address) : roster(address) {}
   Entities(const Entities&) = delete;
   Entities& operator=(const Entities&) = delete;
   ~Entities() {
@@ -207,7 +196,7 @@ struct Participant::Entities {
 };
 
 Participant::Participant(const BusAddress& address, const std::string& name)
-    : address_(address), entities_(std::make_unique<Entities>()) {
+    : address_(address), entities_(std::make_unique<Entities>(address)) {
   ignore_surroundings();
   auto* factory = dds::DomainParticipantFactory::get_instance();
   if (!address.profiles.empty() && !succeeded(factory->load_XML_profiles_file(address.profiles))) {
@@ -221,10 +210,17 @@ Participant::Participant(const BusAddress& address, const std::string& name)
   qos.allocation().send_buffers.dynamic = true;
   use_own_host_only(qos, address);
   find_each_other(qos, address);
+  if (!address.keys.empty()) {
+    for (const auto& [property, value] : security_properties(address.keys)) {
+      qos.properties().properties().emplace_back(property, value);
+    }
+  }
+  const std::string protection = address.keys.empty() ? "" : ", protected by the keys in " + address.keys.string();
   entities_->participant = made(
-      factory->create_participant(static_cast<std::uint32_t>(address.domain), qos, &entities_->matches,
+      factory->create_participant(static_cast<std::uint32_t>(address.domain), qos, &entities_->listener,
                                   dds::StatusMask::publication_matched() << dds::StatusMask::subscription_matched()),
-      "participant " + std::to_string(address.participant) + " in domain " + std::to_string(address.domain));
+      "participant " + std::to_string(address.participant) + " in domain " + std::to_string(address.domain) +
+          protection);
   check_ports(address);
   entities_->publisher = made(entities_->participant->create_publisher(dds::PUBLISHER_QOS_DEFAULT), "a publisher");
   entities_->subscriber = made(entities_->participant->create_subscriber(dds::SUBSCRIBER_QOS_DEFAULT), "a subscriber");
@@ -233,7 +229,11 @@ Participant::Participant(const BusAddress& address, const std::string& name)
 Participant::~Participant() = default;
 
 void Participant::wait_for_match(std::chrono::milliseconds at_most) const {
-  entities_->matches.wait(at_most);
+  entities_->listener.wait(at_most);
+}
+
+std::vector<std::string> Participant::strangers() {
+  return entities_->listener.strangers().named();
 }
 
 template <class Message>
@@ -274,11 +274,11 @@ int Writer<Message>::readers() const {
 
 template <class Message>
 Reader<Message>::Reader(Participant& participant, const RegionRange& regions)
-    : address_(participant.address()), regions_(regions) {
+    : participant_(participant), regions_(regions) {
   auto& entities = *participant.entities_;
   dds::DataReaderQos qos = entities.subscriber->get_default_datareader_qos();
   set_delivery(qos, Topic<Message>::latest, kept_samples);
-  if (address_.apart) {
+  if (participant.address().apart) {
     set_heartbeat_response_delay(qos, Duration_t(0, answer_ns_apart));
   }
   // Also of a topic of one writer: a stranger's samples would push out the writer's own.
@@ -305,14 +305,19 @@ std::vector<Heard<Message>> Reader<Message>::take() {
     if (!info.valid_data) {
       continue;
     }
-    const int from = number_of_writer(info);
-    const std::string what = std::string(Topic<Message>::name) + " from participant " + std::to_string(from);
-    if (from >= address_.participants || !Topic<Message>::has_say(from)) {
+    const auto writer = prefix_of(info.sample_identity.writer_guid());
+    const int from = participant_.entities_->roster.number_of(writer);
+    const std::string who = from < 0 ? "participant " + text_of(writer) : name_of(from);
+    const std::string what = std::string(Topic<Message>::name) + " from " + who;
+    const std::string& run = participant_.address().run;
+    if (from < 0 || !Topic<Message>::has_say(from)) {
       ++refused_[what + ", who has no say there"];
-    } else if (!sample.wrong.empty() && (sample.run.empty() || sample.run == address_.run)) {
+    } else if (!sample.wrong.empty() && (sample.run.empty() || sample.run == run)) {
       throw run_failed("a sample of " + what + " is no message: " + sample.wrong);
-    } else if (sample.run != address_.run) {
+    } else if (sample.run != run) {
       ++refused_[what + ", of another run"];
+    } else if (!speaks_for_itself(participant_.address(), from, sample.message)) {
+      ++refused_[what + ", who speaks for another process"];
     } else {
       heard.push_back({from, std::move(sample.message)});
     }

@@ -36,7 +36,15 @@ struct BusAddress {
   std::string host = "127.0.0.1";      ///< IPv4 address of this process's host; unless apart
   std::string launcher = "127.0.0.1";  ///< of the host of conductor, coordinator and injector; unless apart
   std::filesystem::path profiles{};    ///< XML file of Fast DDS whose defaults hold where evbal sets nothing; or empty
+  std::filesystem::path keys{};        ///< by which this process proves who it is (keys.hpp); empty: nobody has to
+  int regions_per_process = 1;         ///< that each agent hosts, in the order of their numbers
+
+  /// The participant that hosts a region; -1 for a number that is none.
+  int agent_of(int region) const { return region < 0 ? -1 : first_agent + region / regions_per_process; }
 };
+
+/// As the run's processes are called: "conductor", "coordinator", "faults", "agent-0" and so on.
+std::string name_of(int participant);
 
 /// IPv4 address of a host of such a network: 0 is that of all but the agents, then one for each agent.
 std::string address_of_host(int host);
@@ -47,8 +55,8 @@ std::string address_of_host(int host);
 /// thread.
 class Participant {
  public:
-  /// Throws Error{run_failed} if the middleware refuses or cannot have the address's ports, Error{bad_input} if it
-  /// cannot read the profiles.
+  /// Throws Error{run_failed} if the middleware refuses, as it does keys that are not right, or cannot have the
+  /// address's ports, Error{bad_input} if it cannot read the profiles.
   Participant(const BusAddress& address, const std::string& name);
   ~Participant();
   Participant(const Participant&) = delete;
@@ -56,6 +64,9 @@ class Participant {
 
   /// Sleeps until one of its writers or readers has found, or lost, another one since the last call, or the time is up.
   void wait_for_match(std::chrono::milliseconds at_most) const;
+
+  /// Whom the bus has kept out since the last call, in a few words each; nobody where nobody has to prove who he is.
+  std::vector<std::string> strangers();
 
   /// Where it stands on the bus.
   const BusAddress& address() const { return address_; }
@@ -97,8 +108,8 @@ struct Heard {
   Message message;  ///< as it was written
 };
 
-/// Believes those who have a say on its topic, by the participant's number, and refuses everybody else, whatever they
-/// say.
+/// Believes those who have a say on its topic, by the participant's number, as far as they speak for themselves, and
+/// refuses everything else: an agent has no say for regions that another one hosts.
 template <class Message>
 class Reader {
  public:
@@ -120,7 +131,7 @@ class Reader {
   int writers() const;
 
  private:
-  BusAddress address_;
+  const Participant& participant_;
   RegionRange regions_;
   eprosima::fastdds::dds::DataReader* reader_;
   std::map<std::string, int> refused_;

@@ -58,6 +58,8 @@ void add_options(CLI::App& app, ProcessOptions& options) {
   app.add_option("--host", options.address.host, "IPv4 address of the host of this process");
   app.add_option("--launcher", options.address.launcher, "IPv4 address of the host of conductor and coordinator");
   app.add_option("--dds-profiles", options.address.profiles, "XML file of Fast DDS that the run asks for");
+  app.add_option("--keys", options.address.keys, "By which this process proves that it belongs to the run");
+  app.add_option("--regions-per-process", options.address.regions_per_process, "Regions that each agent hosts");
   app.add_option("--scenario", options.scenario, "The run's scenario.resolved.yaml")->required();
   app.add_option("--journal", options.journal, "What the process must know if it is started again")->required();
   app.add_option_function<int>(
@@ -100,6 +102,12 @@ std::vector<std::string> arguments(const ProcessOptions& options) {
   }
   if (options.log_level != LogLevel::warn) {
     words.insert(words.end(), {"--log-level", log_levels()[static_cast<std::size_t>(options.log_level)]});
+  }
+  if (options.address.regions_per_process != 1) {
+    words.insert(words.end(), {"--regions-per-process", std::to_string(options.address.regions_per_process)});
+  }
+  if (!options.address.keys.empty()) {
+    words.insert(words.end(), {"--keys", options.address.keys.string()});
   }
   if (!options.address.profiles.empty()) {
     words.insert(words.end(), {"--dds-profiles", options.address.profiles.string()});

@@ -3,7 +3,6 @@
 #include "agents/bus/participant.hpp"
 #include "common/error.hpp"
 
-#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -11,13 +10,6 @@
 #include <vector>
 
 namespace evbal {
-
-/// As the run's processes are called.
-inline std::string name_of(int participant) {
-  return participant == BusAddress::coordinator ? "coordinator"
-         : participant == BusAddress::injector  ? "faults"
-                                                : "agent-" + std::to_string(participant - BusAddress::first_agent);
-}
 
 /// The messages of one tick as they come in, one for each region that is due.
 template <class Message>
@@ -27,12 +19,11 @@ class Collected {
   Collected(int tick, const std::vector<int>& due) : tick_(tick), missing_(due.begin(), due.end()) {}
 
   /// Messages of other ticks are left out: who was killed says again what it last said. Throws Error{run_failed} if one
-  /// is of no tick up to `newest`, or of a region that `is_of` does not give to whom it is from.
-  void add(std::vector<Heard<std::vector<Message>>> batches, int newest,
-           const std::function<bool(int region, int from)>& is_of) {
+  /// is of no tick up to `newest`.
+  void add(std::vector<Heard<std::vector<Message>>> batches, int newest) {
     for (auto& [from, batch] : batches) {
       for (auto& message : batch) {
-        if (message.tick < 0 || message.tick > newest || !is_of(message.region, from)) {
+        if (message.tick < 0 || message.tick > newest) {
           throw run_failed(name_of(from) + " speaks of tick " + std::to_string(message.tick) + ", region " +
                            std::to_string(message.region) + " in tick " + std::to_string(tick_));
         }

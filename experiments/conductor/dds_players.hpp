@@ -8,6 +8,7 @@
 #include "experiments/conductor/lossy_network.hpp"
 #include "experiments/conductor/players.hpp"
 #include "experiments/conductor/supervisor.hpp"
+#include "experiments/scenario/bus_security.hpp"
 #include "experiments/scenario/hosts.hpp"
 
 #include <algorithm>
@@ -25,7 +26,8 @@ namespace evbal {
 
 /// What the processes of a run are started from.
 struct DdsRun {
-  /// The run directory: scenario.resolved.yaml is there, processes/ is made, and journals/ as long as the run lasts.
+  /// The run directory: scenario.resolved.yaml is there, processes/ is made, and journals/ and, with security, keys/ as
+  /// long as the run lasts.
   std::filesystem::path folder;
   int regions = 0;               ///< of the city
   int regions_per_process = 1;   ///< that one agent hosts
@@ -37,6 +39,7 @@ struct DdsRun {
   std::uint64_t seed = 0;                         ///< of what it loses
   std::filesystem::path profiles{};               ///< as in BusAddress
   std::vector<HostSpec> hosts{};                  ///< of the agents; none: this one. Not together with `network`
+  std::optional<BusSecurity> security{};          ///< if processes have to prove that they belong to the run
 
   /// Processes that host regions.
   int agents() const { return (regions + regions_per_process - 1) / regions_per_process; }
@@ -83,6 +86,8 @@ class DdsPlayers : public Players {
 
   /// Starts all and waits for them; false if another program has taken one of the domain's ports meanwhile.
   bool begins_in_domain();
+  void make_keys(const BusAddress& address);
+  std::filesystem::path keys_of(int participant) const;
   void write_agent_worlds() const;
   std::filesystem::path world_of(int agent) const;
   void start_processes(BusAddress address);
@@ -108,6 +113,7 @@ class DdsPlayers : public Players {
 
   DdsRun run_;
   EmptyFolder journals_;
+  std::optional<EmptyFolder> keys_;  ///< with security
   std::optional<LossyNetwork> network_;
   std::optional<DomainLock> domain_;
   std::optional<Participant> participant_;

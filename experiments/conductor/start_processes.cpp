@@ -35,6 +35,11 @@ std::string world_file(int agent) {
   return "agent-" + std::to_string(agent) + ".world";
 }
 
+/// On another host.
+std::string keys_folder(const std::string& agent) {
+  return agent + ".keys";
+}
+
 }  // namespace
 
 std::filesystem::path DdsPlayers::world_of(int agent) const {
@@ -73,6 +78,11 @@ std::vector<SentFile> DdsPlayers::files_of(const std::string& agent) const {
   if (!run_.profiles.empty()) {
     files.push_back({profiles_file, text_of_file(run_.profiles)});
   }
+  if (keys_) {
+    for (const auto& entry : std::filesystem::directory_iterator(keys_->path() / agent)) {
+      files.push_back({keys_folder(agent) + "/" + entry.path().filename().string(), text_of_file(entry.path())});
+    }
+  }
   std::string journal;
   for (const auto& [tick, plan] : told_) {
     // Also of the tick that goes on, which would be over before the agent is back if it had answered already.
@@ -104,6 +114,7 @@ void DdsPlayers::start_processes(BusAddress address) {
     check_interrupt();
     await_hellos(most_starting);
     options.address = address;
+    options.address.keys = keys_of(address.participant);
     options.scenario = run_.folder / "scenario.resolved.yaml";
     options.journal = journals_.path() / options.name;
     options.patience = processes_patience * run_.patience;
@@ -138,6 +149,7 @@ void DdsPlayers::start_processes(BusAddress address) {
     options.journal = options.name;
     options.world = options.world.filename();
     options.address.profiles = run_.profiles.empty() ? "" : profiles_file;
+    options.address.keys = keys_ ? keys_folder(options.name) : "";
     supervisor_->start_there(options.name, host_of_agent[agent], arguments(options));
     absent_.insert(options.name);
   }

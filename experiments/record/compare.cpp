@@ -62,7 +62,7 @@ std::optional<std::string> compare_csv(const fs::path& recorded, const fs::path&
 
 /// Drops what depends on how the run was made, or on another run.
 void forget_circumstances(nlohmann::json& summary) {
-  for (const char* key : {"processes", "network", "dds_profiles", "step_seconds", "wall_seconds", "timings",
+  for (const char* key : {"processes", "network", "security", "dds_profiles", "step_seconds", "wall_seconds", "timings",
                           "without_faults", "program", "pack_digest", "model_digest", "coordinator_digest"}) {
     summary.erase(key);
   }

@@ -29,6 +29,7 @@ struct RunHeader {
   std::string transport;                       ///< "dds" or "inproc"
   std::optional<NetworkConditions> network{};  ///< of a network that loses packets
   std::filesystem::path dds_profiles{};        ///< file of settings of Fast DDS; empty: none
+  bool security = false;                       ///< whether processes had to prove themselves, and all was encrypted
   MetricsFrame frame;                          ///< what the metrics need
   std::vector<std::string> region_names;       ///< by region
   std::vector<RequestedFault> faults;          ///< in the order of the schedule

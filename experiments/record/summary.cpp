@@ -193,6 +193,9 @@ std::string summary_json(const RunHeader& header, const DayMetrics& day, const R
   if (!header.inputs.coordinator.empty()) {
     json["coordinator_digest"] = header.inputs.coordinator;
   }
+  if (header.security) {
+    json["security"] = "on";
+  }
   if (!header.dds_profiles.empty()) {
     json["dds_profiles"] = header.dds_profiles.string();
   }

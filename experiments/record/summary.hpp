@@ -27,9 +27,10 @@ namespace evbal {
 ///     network      loss, delay_ms, deterministic_in_time, exchange_seconds (of a tick, without the solver); only
 ///                  if the scenario has the key
 ///     dds_profiles file of settings of Fast DDS, only if the scenario has the key
+///     security     "on", only of a run over the bus whose scenario says so
 ///
-/// `program`, `transport`, `processes`, `network`, `dds_profiles` and what is measured in time depend on how the day
-/// was run, nothing else does.
+/// `program`, `transport`, `processes`, `network`, `security`, `dds_profiles` and what is measured in time depend on
+/// how the day was run, nothing else does.
 std::string summary_json(const RunHeader& header, const DayMetrics& day, const RunResult& result,
                          std::span<const TickRecord> ticks, std::span<const double> tick_seconds,
                          const std::vector<ProcessLegs>& timings);

@@ -86,8 +86,8 @@ void add_processes(std::vector<Leftover>& found) {
   }
 }
 
-/// Removes the journals of a run that broke off and still has.
-void remove_journals(const fs::path& folder, const fs::path& run) {
+/// Removes journals or keys of a run that broke off and still has.
+void remove_folder(const fs::path& folder, const fs::path& run) {
   std::error_code failed;
   if (broke_off(run)) {
     fs::remove_all(folder, failed);
@@ -97,23 +97,24 @@ void remove_journals(const fs::path& folder, const fs::path& run) {
   }
 }
 
-void add_journals_of(const fs::path& run, std::vector<Leftover>& found) {
+void add_folders_of(const fs::path& run, std::vector<Leftover>& found) {
   std::error_code failed;
   for (fs::recursive_directory_iterator entry(run, failed), end; !failed && entry != end; entry.increment(failed)) {
-    if (entry->path().filename() == "journals" && entry->is_directory(failed)) {
+    const std::string name = entry->path().filename();
+    if ((name == "journals" || name == "keys") && entry->is_directory(failed)) {
       found.push_back({entry->path().string() + ", of a run that broke off",
-                       [folder = entry->path(), run] { remove_journals(folder, run); }});
+                       [folder = entry->path(), run] { remove_folder(folder, run); }});
     }
   }
 }
 
 /// Folders that cannot be read are passed over: they are none of ours.
-void add_journals(std::vector<Leftover>& found) {
+void add_folders(std::vector<Leftover>& found) {
   std::error_code failed;
   for (fs::directory_iterator run("runs", failed), end; !failed && run != end; run.increment(failed)) {
     std::error_code unreadable;
     if (run->is_directory(unreadable) && broke_off(run->path())) {
-      add_journals_of(run->path(), found);
+      add_folders_of(run->path(), found);
     }
   }
 }
@@ -175,7 +176,7 @@ void add_hosts(std::vector<Leftover>& found) {
 std::vector<Leftover> find_leftovers() {
   std::vector<Leftover> found;
   add_processes(found);
-  add_journals(found);
+  add_folders(found);
   add_hosts(found);
   std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.what < b.what; });
   return found;

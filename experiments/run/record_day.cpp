@@ -51,7 +51,8 @@ std::unique_ptr<Players> players_of(const Scenario& scenario, const Schedule& sc
                                                .network = scenario.network,
                                                .seed = scenario.world.seed,
                                                .profiles = scenario.dds_profiles,
-                                               .hosts = scenario.hosts});
+                                               .hosts = scenario.hosts,
+                                               .security = scenario.security});
   }
   return std::make_unique<InprocPlayers>(
       scenario.world, plans_of(scenario, folder),
@@ -66,7 +67,7 @@ MetricsFrame frame_of(const Scenario& scenario) {
           .beta = scenario.planning.balancing.beta};
 }
 
-RunHeader header_of(const Scenario& scenario, const std::string& resolved) {
+RunHeader header_of(const Scenario& scenario, const std::string& resolved, const Stage& stage) {
   const World& world = scenario.world;
   RunHeader header;
   header.scenario = scenario.name;
@@ -79,6 +80,7 @@ RunHeader header_of(const Scenario& scenario, const std::string& resolved) {
   header.transport = scenario.transport;
   header.network = scenario.network;
   header.dds_profiles = scenario.dds_profiles;
+  header.security = scenario.security.has_value() && stage.transport == "dds";
   header.frame = frame_of(scenario);
   for (const auto& region : world.city.regions) {
     header.region_names.push_back(region.name);
@@ -91,7 +93,7 @@ RunHeader header_of(const Scenario& scenario, const std::string& resolved) {
 
 RunResult play_and_record(const Scenario& scenario, const std::string& resolved, const std::filesystem::path& folder,
                           const Stage& stage) {
-  RunRecord record(folder, header_of(scenario, resolved));
+  RunRecord record(folder, header_of(scenario, resolved, stage));
   Schedule schedule = scenario.schedule;
   const auto players = players_of(scenario, schedule, folder, stage.transport);
   const auto observe = [&](const TickRecord& tick) {
@@ -149,6 +151,7 @@ Scenario without_faults(Scenario scenario) {
   scenario.network.reset();
   scenario.hosts.clear();
   scenario.dds_profiles.clear();
+  scenario.security.reset();
   return scenario;
 }
 

@@ -30,7 +30,7 @@ bool is_of_run(const fs::path& file) {
   const std::string folder = file.parent_path().filename();
   const bool unfinished = file.extension() == ".partial";  // a NewFile of a process that was killed
   return unfinished || names.contains(file.filename()) || folder == "processes" || folder == "journals" ||
-         folder == "requests";
+         folder == "requests" || file.parent_path().parent_path().filename() == "keys";
 }
 
 /// Whether the directory has the mark of a record that is not complete, and nothing that no run writes. Not one that

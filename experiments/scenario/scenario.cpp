@@ -181,6 +181,9 @@ Scenario read_scenario(const YamlValue& yaml, const Overrides& overrides) {
   if (const auto profiles = map.find("dds_profiles")) {
     scenario.dds_profiles = std::filesystem::absolute(profiles->file()).parent_path() / profiles->text();
   }
+  if (const auto security = map.find("security")) {
+    scenario.security = read_security(*security);
+  }
   if (const auto expect = map.find("expect")) {
     scenario.expect = read_expect(*expect);
   }
@@ -222,6 +225,10 @@ std::string resolved_yaml(const Scenario& scenario, const std::string& controlle
   }
   if (!scenario.dds_profiles.empty()) {
     yaml.key("dds_profiles").text(scenario.dds_profiles.string());
+  }
+  if (scenario.security) {
+    yaml.key("security");
+    write_security(yaml, *scenario.security);
   }
   yaml.key("faults").begin_map();
   write_schedule(yaml, scenario.schedule, scenario.world.clock);

@@ -2,6 +2,7 @@
 
 #include "agents/world/world.hpp"
 #include "coordinator/planning/settings.hpp"
+#include "experiments/scenario/bus_security.hpp"
 #include "experiments/scenario/expect.hpp"
 #include "experiments/scenario/hosts.hpp"
 #include "experiments/scenario/network_conditions.hpp"
@@ -37,6 +38,7 @@ struct Scenario {
   std::optional<NetworkConditions> network{};  ///< on the bus, below DDS
   std::vector<HostSpec> hosts{};               ///< of the regions over the bus; empty: the machine of the launcher
   std::filesystem::path dds_profiles{};        ///< XML file of Fast DDS for the bus; empty: none
+  std::optional<BusSecurity> security{};       ///< on the bus, if there is one
   std::vector<Expect> expect;                  ///< what shall hold of the result
   CrossCheck cross_check = CrossCheck::off;    ///< none of what happens depends on it
 };

@@ -129,6 +129,8 @@ inline const std::vector<Reserved>& reserved() {
       {"fastdds/", {"agents/bus"}},
       {"fastrtps/", {"agents/bus"}},
       {"fastcdr/", {"agents/bus"}},
+      // Certificates are made where they are used.
+      {"openssl/", {"agents/bus"}},
       {"Ip", {"coordinator/convex"}},
       {"Clp", {"coordinator/convex", "tools/verify"}},
       {"Coin", {"coordinator/convex"}},

@@ -151,6 +151,21 @@ TEST_F(ScenarioFile, ProfilesOfDdsLieBesideIt) {
   expect_refused([&] { read_scenario(file, {.transport = "inproc"}); }, "dds_profiles", "choose `dds`");
 }
 
+TEST_F(ScenarioFile, SecurityIsOffUnlessAskedFor) {
+  EXPECT_FALSE(read_scenario(write(head)).security);
+  EXPECT_FALSE(read_scenario(write(head + "security: off\n")).security);
+  EXPECT_EQ(resolved_yaml(read_scenario(write(head)), "robust").find("security"), std::string::npos);
+  const Scenario made = read_scenario(write(head + "security: on\n"));
+  EXPECT_EQ(made.security.value().ca, "");
+  EXPECT_EQ(read_scenario(write(resolved_yaml(made, "robust"))).security.value().ca, "");
+  const fs::path file = write(head + "security: {ca: mine}\n");
+  const Scenario own = read_scenario(file);
+  EXPECT_EQ(own.security.value().ca, fs::absolute(file).parent_path() / "mine");
+  EXPECT_EQ(read_scenario(write(resolved_yaml(own, "robust"))).security.value().ca, own.security->ca);
+  expect_refused([&] { read_scenario(write(head + "security: yes\n")); }, "yes", "on");
+  expect_refused([&] { read_scenario(write(head + "security: {}\n")); }, "ca", "");
+}
+
 TEST_F(ScenarioFile, SettingsTakeThePlaceOfAnyKey) {
   const fs::path file = write(head + "balancing: {p_shortage: 10, m1: 8}\n");
   const Scenario scenario =

@@ -73,6 +73,14 @@ TEST_F(SweepOfToy, IsEveryCombinationInOrder) {
   EXPECT_TRUE(scenario.expect.empty());
 }
 
+TEST_F(SweepOfToy, HasTheSameDaysWhetherTheBusIsSecuredOrNot) {
+  const std::string variants = "variants: [{controller: ratio}]\n";
+  const std::string plain = resolved_yaml(scenario_of(read(sweep_head + variants).days[0]), "ratio");
+  write("base.yaml", text_of(path("base.yaml")) + "security: on\n");
+  EXPECT_EQ(resolved_yaml(scenario_of(read(sweep_head + variants).days[0]), "ratio"), plain);
+  expect_refused(sweep_head + "variants: [{controller: ratio, settings: {security: on}}]\n", 5, "security");
+}
+
 TEST_F(SweepOfToy, DrawsFaultsAnewForEveryDayAndSeedAndForNothingElse) {
   const Sweep sweep = read(sweep_head + "variants: [{controller: ratio}, {controller: none}]\n");
   ASSERT_EQ(sweep.days.size(), 8U);

@@ -240,10 +240,10 @@ void play_all_draws(const Draws& draws, const OutFolder& out, bool over_bus, con
 void warn_of_strangers(const Scenario& scenario) {
   const bool apart =
       std::ranges::any_of(scenario.hosts, [](const HostSpec& host) { return !host.address.starts_with("127."); });
-  if (apart && scenario.transport == "dds") {
+  if (apart && scenario.transport == "dds" && !scenario.security) {
     std::fputs(
         "hosts: nothing that is said between them is signed or encrypted: anyone on their network can read the day, "
-        "write reports, plans and departures into it, and stop it; use a network that you trust\n",
+        "write reports, plans and departures into it, and stop it; use a network that you trust, or `security: on`\n",
         stderr);
   }
 }

@@ -45,7 +45,9 @@ void add_scenario_options(CLI::App& command, ScenarioOptions& options) {
           "--coordinator", [&overrides](const std::string& text) { overrides.coordinator = words_of(text); },
           "Program or library that makes the plans in place of evbal-coordinator, with its words")
       ->type_name("COMMAND");
-  command.add_option("--transport", overrides.transport, "dds: processes on a bus; inproc: one process")
+  command
+      .add_option("--transport", overrides.transport,
+                  "dds: processes on a bus, which strangers cannot join with `--set security=on`; inproc: one process")
       ->check(one_of_words({"dds", "inproc"}));
   command.add_option("--regions-per-process", overrides.regions_per_process, "Regions that an agent hosts");
   command.add_option("--engine", overrides.engine, "Solver of the balancing problem")

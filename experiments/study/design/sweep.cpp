@@ -252,6 +252,7 @@ Scenario scenario_of(const SweptDay& day) {
   scenario.regions_per_process = 1;
   scenario.expect.clear();
   scenario.cross_check = CrossCheck::off;
+  scenario.security.reset();
   return scenario;
 }
 

@@ -1,5 +1,5 @@
-// evbal-fake-run FOLDER REGIONS PER_PROCESS TICKS: a run with stand-ins. Prints what the exchange costs; a test also
-// uses it as a launcher that it can interrupt or kill.
+// evbal-fake-run FOLDER REGIONS PER_PROCESS TICKS [secured]: a run with stand-ins. Prints what the exchange costs; a
+// test also uses it as a launcher that it can interrupt or kill.
 
 #include "agents/protocol/messages.hpp"
 #include "common/error.hpp"
@@ -11,6 +11,8 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <optional>
+#include <string>
 
 namespace {
 
@@ -50,8 +52,9 @@ void run(const DdsRun& given, int ticks) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 5) {
-    std::cerr << "usage: evbal-fake-run FOLDER REGIONS PER_PROCESS TICKS\n";
+  const bool secured = argc == 6 && std::string(argv[5]) == "secured";
+  if (argc != 5 && !secured) {
+    std::cerr << "usage: evbal-fake-run FOLDER REGIONS PER_PROCESS TICKS [secured]\n";
     return 2;
   }
   catch_interrupts();
@@ -59,7 +62,8 @@ int main(int argc, char** argv) {
     run({.folder = argv[1],
          .regions = std::atoi(argv[2]),
          .regions_per_process = std::atoi(argv[3]),
-         .programs = own_folder() / "fakes"},
+         .programs = own_folder() / "fakes",
+         .security = secured ? std::optional(BusSecurity{}) : std::nullopt},
         std::atoi(argv[4]));
     return 0;
   } catch (const Error& error) {

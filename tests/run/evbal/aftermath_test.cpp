@@ -66,6 +66,22 @@ TEST(Aftermath, OfAKilledLauncherIsInNobodysWay) {
   EXPECT_EQ(line.evbal("doctor").out.find(journals), std::string::npos);
 }
 
+TEST(Aftermath, OfAKilledLauncherHoldsNoKeysForLong) {
+  const CommandLine line;
+  const fs::path run = line.path() / "runs" / "a";
+  const std::string command = "run morning.yaml --transport dds --set security=on --quiet --out " + run.string();
+  const pid_t launcher = line.start(command);
+  const bool begun = comes_true([&] { return fs::exists(run / "keys" / "agent-4" / "grant.p7s"); });
+  kill(launcher, SIGKILL);
+  wait_for(launcher);
+  ASSERT_TRUE(begun);
+  EXPECT_TRUE(comes_true([&] { return !runs(run.string()); })) << "the run's processes end with it";
+  const std::string keys = "runs/a/keys, of a run that broke off";
+  EXPECT_NE(line.evbal("doctor").out.find(keys), std::string::npos);
+  EXPECT_NE(line.evbal("doctor --clean").out.find("removed " + keys), std::string::npos);
+  EXPECT_FALSE(fs::exists(run / "keys"));
+}
+
 TEST(Aftermath, IsLookedForBesideFoldersThatCannotBeRead) {
   const CommandLine line;
   fs::create_directories(line.path() / "runs");
