@@ -105,6 +105,7 @@ TEST_F(SecurityTest, TheDayIsThatOfOneProcess) {
 TEST_F(SecurityTest, MoreAgentsThanCanProveThemselvesAreRefused) {
   DdsRun many = run(true);
   many.regions = 200;
+  many.world = nullptr;
   try {
     const DdsPlayers players(many);
     FAIL() << "200 agents";
