@@ -17,6 +17,7 @@ TEST(Security, LeavesTheDayOfSanFranciscoAsItIs) {
                                                "city: san-francisco-54\n"
                                                "day: 2008-06-03\n"
                                                "clock: {start: \"05:00\", end: \"06:30\"}\n"
+                                               "seed: 7\n"
                                                "controllers: [nominal]\n";
   ASSERT_EQ(line.evbal("run early.yaml --transport inproc --quiet --out alone").status, 0);
   const Ended secured = line.evbal("run early.yaml --set security=on --quiet --out secured");
