@@ -18,17 +18,22 @@ class BusListener : public fast_dds::DiscoveryListener {
   /// `roster` must outlive this.
   explicit BusListener(const Roster& roster) : strangers_(roster) {}
 
+  /// A writer of ours has found, or lost, a reader.
   void on_publication_matched(fast_dds::dds::DataWriter* /*writer*/,
                               const fast_dds::dds::PublicationMatchedStatus& /*status*/) override {
     count();
   }
+  /// A reader of ours has found, or lost, a writer.
   void on_subscription_matched(fast_dds::dds::DataReader* /*reader*/,
                                const fast_dds::dds::SubscriptionMatchedStatus& /*status*/) override {
     count();
   }
 
+  /// A participant announces itself.
   void on_seen(const GuidPrefix& who, const std::string& name) override { strangers_.seen(who, name); }
+  /// It is gone.
   void on_left(const GuidPrefix& who) override { strangers_.left(who); }
+  /// It has proved that it belongs to the run, or failed to.
   void on_proof(const GuidPrefix& who, bool proved) override {
     proved ? strangers_.proved(who) : strangers_.failed(who);
   }

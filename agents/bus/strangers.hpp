@@ -14,6 +14,7 @@ namespace evbal {
 /// middleware therefore keeps out. Without security there are none. From any thread.
 class Strangers {
  public:
+  /// By which time to prove is measured; of no consequence for the day.
   using Clock = std::chrono::steady_clock;
   static constexpr std::chrono::seconds time_to_prove{10};  ///< after which who has not proved itself is a stranger
   static constexpr std::size_t most_named = 100;            ///< between two calls of named(), so that none floods us
