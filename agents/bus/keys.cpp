@@ -47,7 +47,7 @@ void write_keys(const fs::path& folder, const BusAddress& address, const Certifi
 }
 
 std::map<std::string, std::string> security_properties(const fs::path& keys) {
-  const auto file = [&](const char* name) { return "file://" + (keys / name).string(); };
+  const auto file = [&](const char* name) { return "file://" + fs::absolute(keys / name).string(); };
   return {{"dds.sec.auth.plugin", "builtin.PKI-DH"},
           {"dds.sec.auth.builtin.PKI-DH.identity_ca", file(authority_file)},
           {"dds.sec.auth.builtin.PKI-DH.identity_certificate", file(certificate_file)},
