@@ -1,6 +1,5 @@
 #include "experiments/conductor/dds_players.hpp"
 
-#include "agents/bus/keys.hpp"
 #include "agents/bus/ports.hpp"
 #include "agents/bus/surroundings.hpp"
 #include "agents/hosting/process.hpp"
@@ -23,9 +22,6 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-// Fast DDS 2.9 keeps the words of at most 100 proofs in a process, those of peers that died a moment ago among them,
-// and ends the process beyond.
-constexpr int most_secured_agents = 80;
 constexpr auto glance = 20ms;    // between looks at the processes while nothing comes
 constexpr auto reminder = 5min;  // between two times that the others hear of us while the day stands still
 
@@ -131,25 +127,6 @@ bool DdsPlayers::begins_in_domain() {
     }
     return false;
   }
-}
-
-void DdsPlayers::make_keys(const BusAddress& address) {
-  if (run_.security) {
-    if (run_.agents() > most_secured_agents) {
-      throw bad_input("security: at most " + std::to_string(most_secured_agents) +
-                      " agents can prove themselves, here " + std::to_string(run_.agents()) +
-                      " have to; host several regions by each, with regions_per_process at least " +
-                      std::to_string((run_.regions + most_secured_agents - 1) / most_secured_agents));
-    }
-    const auto& ca = run_.security->ca;
-    keys_.emplace(run_.folder / "keys");
-    write_keys(keys_->path(), address,
-               ca.empty() ? CertificateAuthority::made("evbal run " + address.run) : CertificateAuthority::read(ca));
-  }
-}
-
-std::filesystem::path DdsPlayers::keys_of(int participant) const {
-  return keys_ ? keys_->path() / name_of(participant) : "";
 }
 
 std::string DdsPlayers::host_of(int region) const {

@@ -1,10 +1,12 @@
 // The part of DdsPlayers that starts the processes.
 
+#include "agents/bus/keys.hpp"
 #include "agents/bus/ports.hpp"
 #include "agents/hosting/journal.hpp"
 #include "agents/hosting/journal_entries.hpp"
 #include "agents/hosting/process.hpp"
 #include "agents/region/region_world.hpp"
+#include "common/error.hpp"
 #include "common/files.hpp"
 #include "common/interrupt.hpp"
 #include "common/log.hpp"
@@ -24,6 +26,10 @@ constexpr int processes_patience = 10;
 // That are started and have not said hello yet. More would make each other late, until nobody hears an answer in time.
 constexpr std::size_t most_starting_a_core = 32;
 
+// Fast DDS 2.9 keeps the words of at most 100 proofs in a process, those of peers that died a moment ago among them,
+// and ends the process beyond.
+constexpr int most_secured_agents = 80;
+
 constexpr auto profiles_file = "dds-profiles.xml";  // on another host
 
 /// The number of "agent-3".
@@ -41,6 +47,25 @@ std::string keys_folder(const std::string& agent) {
 }
 
 }  // namespace
+
+void DdsPlayers::make_keys(const BusAddress& address) {
+  if (run_.security) {
+    if (run_.agents() > most_secured_agents) {
+      throw bad_input("security: at most " + std::to_string(most_secured_agents) +
+                      " agents can prove themselves, here " + std::to_string(run_.agents()) +
+                      " have to; host several regions by each, with regions_per_process at least " +
+                      std::to_string((run_.regions + most_secured_agents - 1) / most_secured_agents));
+    }
+    const auto& ca = run_.security->ca;
+    keys_.emplace(run_.folder / "keys");
+    write_keys(keys_->path(), address,
+               ca.empty() ? CertificateAuthority::made("evbal run " + address.run) : CertificateAuthority::read(ca));
+  }
+}
+
+std::filesystem::path DdsPlayers::keys_of(int participant) const {
+  return keys_ ? keys_->path() / name_of(participant) : "";
+}
 
 std::filesystem::path DdsPlayers::world_of(int agent) const {
   return run_.world == nullptr ? "" : journals_.path() / world_file(agent);
