@@ -1,5 +1,7 @@
 #include "coordinator/filter/balance.hpp"
 
+#include "coordinator/filter/count_law.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,7 +20,15 @@ double variance_of_low(const RegionWindow& window) {
   return free * window.low_share * (1.0 - window.low_share) * (1.0 + likeness * std::max(0.0, free - 1.0));
 }
 
+constexpr double usual_surprise = 3.0;   ///< up to which an excess says nothing of who is wrong
+constexpr double most_in_favour = 3.0;   ///< by one report
+constexpr double of_the_forecast = 0.3;  ///< deviation of the forecast's own error, of its mean
+
 }  // namespace
+
+StockVector stock_of(const RegionCounts& counts, int occupied_due) {
+  return {counts.vacant, static_cast<double>(occupied_due), counts.low_battery, counts.plugged};
+}
 
 double come_free(const RegionWindow& window) {
   return window.came_vacant + window.ended + window.dropped_off;
@@ -43,6 +53,18 @@ StockChange stock_change(const RegionWindow& window, const PickUps& picked_up) {
       0.0, least_noise, 0.0, 0.0,            //
       -which, 0.0, which + began + least_noise, -began, -ended, 0.0, -began, began + ended + least_noise;
   return out;
+}
+
+double favours_passengers(const Excess& excess, double demand, double forecast, double variance) {
+  if (surprise(excess.cars, excess.expected, excess.slack) < usual_surprise) {
+    return 0.0;
+  }
+  const double appeared = demand - excess.cars + excess.expected + (excess.cars > 0 ? excess.slack : 0);
+  const double error = of_the_forecast * forecast;
+  const double spread = 2.0 * (variance + error * error + 1.0);
+  const double said = (demand - forecast) * (demand - forecast) / spread;
+  const double implied = (appeared - forecast) * (appeared - forecast) / spread;
+  return appeared < -1.0 ? -most_in_favour : std::clamp(said - implied, -most_in_favour, most_in_favour);
 }
 
 Excess excess_of(const RegionCounts& before, const RegionWindow& window, const RegionCounts& reported, double demand) {

@@ -15,6 +15,9 @@ struct RegionCounts {
   double waiting = 0.0;      ///< passengers
 };
 
+/// Its stocks, with so many occupied cars due.
+StockVector stock_of(const RegionCounts& counts, int occupied_due);
+
 /// What is known to have happened in a region between two plans.
 struct RegionWindow {
   double came_vacant = 0.0;     ///< cars that came with a passenger, or empty to serve
@@ -52,6 +55,10 @@ struct StockChange {
 /// See StockChange. Uncertain are pick-ups, drop-offs of short trips, who of the cars that come free is low, and
 /// sessions that were not counted; each is an independent count whose variance grows with its mean.
 StockChange stock_change(const RegionWindow& window, const PickUps& picked_up);
+
+/// How much likelier it is, as a logarithm, that demand is wrong by an excess than that cars are, if so many passengers
+/// are said to have appeared and the forecast has this mean and variance: by the passengers who then really appeared.
+double favours_passengers(const Excess& excess, double demand, double forecast, double variance);
 
 /// Cars too many by a report of vacant and low-battery cars, of passengers who wait and who appeared.
 Excess excess_of(const RegionCounts& before, const RegionWindow& window, const RegionCounts& reported, double demand);

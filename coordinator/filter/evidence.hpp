@@ -15,15 +15,19 @@ struct Excess {
   double variance = 0.0;       ///< of `cars`
   double variance_low = 0.0;   ///< of `low`
   bool contradiction = false;  ///< whether passengers are said to wait beside vacant cars
+  double passengers = 0.0;     ///< ln of how much likelier it is that passengers are wrong than cars, by the forecast
   int slack = 0;               ///< how many more of `cars` nobody could foresee: those who waited may have given up
 };
 
 /// A cumulative sum of how surprising the reports of a region are (CUSUM). What has come together since it was last
-/// zero says by how much the report is off.
+/// zero says by how much the report is off. Low-battery cars have a sum of their own beside: no passenger is in it.
 class Evidence {
  public:
   /// Adds a report.
   void add(const Excess& excess);
+
+  /// Adds cars that the city came to have too many of meanwhile.
+  void add_city(double cars) { city_ += sum_ > 0.0 || low_sum_ > 0.0 ? cars : 0.0; }
 
   /// Whether it is enough: on training days without faults this happens less than once in ten days of a city.
   bool enough() const { return sum_ >= threshold; }
@@ -32,14 +36,11 @@ class Evidence {
   /// are more than they usually are; nothing explains cars too few.
   bool enough_against_passengers() const { return sum_ >= (cars_ > 0.0 ? threshold_of_trips : threshold); }
 
+  /// Whether it is enough to accuse low-battery cars, whatever else lies.
+  bool enough_against_low() const { return low_sum_ >= threshold; }
+
   /// Whether it is enough where cars that the city has too many, or too few, show that some number lies.
   bool enough_to_explain() const { return sum_ >= threshold_to_explain; }
-
-  /// Lets the sum say that the report is off by so many cars.
-  void conclude(double cars) {
-    cars_ = cars;
-    variance_ = cars * cars / 4.0;
-  }
 
   /// Starts from zero.
   void clear() { *this = {}; }
@@ -48,6 +49,12 @@ class Evidence {
   double cars() const { return cars_; }
   /// Likewise of low-battery ones.
   double low() const { return low_; }
+  /// Likewise since the sum of low-battery ones was last zero.
+  double low_alone() const { return low_alone_; }
+  /// Cars that the city came to have too many of since both sums were last zero.
+  double city() const { return city_; }
+  /// How much likelier it is that passengers are wrong than cars, by the forecast, as a logarithm.
+  double passengers() const { return passengers_; }
   /// Variance of cars().
   double variance() const { return variance_; }
 
@@ -63,6 +70,10 @@ class Evidence {
   double cars_ = 0.0;
   double low_ = 0.0;
   double variance_ = 0.0;
+  double passengers_ = 0.0;
+  double low_sum_ = 0.0;
+  double low_alone_ = 0.0;
+  double city_ = 0.0;
 };
 
 }  // namespace evbal

@@ -12,6 +12,7 @@ namespace {
 constexpr std::size_t longest_delay = 12;  ///< reports, that a field can be late by
 constexpr double least_expected = 1e-3;    ///< mean of a count that says anything
 constexpr double of_a_count = 0.5;         ///< deviation of what is counted in another way
+constexpr double rounding = 0.6;           ///< cars
 
 int rounded(double count) {
   return static_cast<int>(std::lround(std::max(0.0, count)));
@@ -90,7 +91,11 @@ void FleetFilter::settle(int tick, int region, const News& news, const WindowOut
     const Estimate is = estimate(region, news, outlook, static_cast<ReportField>(k + 1));
     now.at(k) = is.value;
     if (known.lies.at(k) && news.report != nullptr) {
-      known.lies.at(k)->hear(news.report->*measured.at(k).member, is.value, is.deviation);
+      const int said = news.report->*measured.at(k).member;
+      const bool counts_cars = index_of(ReportField::vacant) == k || index_of(ReportField::low_battery) == k;
+      // What is off by a constant changes as it should; only after a jump can it be right again.
+      const bool still_off = counts_cars && !known.doubt.jumped && std::abs(said - is.value) > rounding;
+      known.lies.at(k)->hear(said, is.value, still_off ? 0.0 : is.deviation);
     }
   }
   for (std::size_t k = 0; k < measured.size(); ++k) {
@@ -110,6 +115,10 @@ void FleetFilter::settle(int tick, int region, const News& news, const WindowOut
     known.past.pop_front();
   }
   known.broken = news.broken;
+  known.heard.reset();
+  if (news.report != nullptr) {
+    known.heard = {static_cast<double>(news.report->vacant), static_cast<double>(news.report->low_battery), 0.0, 0.0};
+  }
   Report& out = known.last;
   if (news.report != nullptr) {
     out = *news.report;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace evbal {
 namespace {
@@ -13,13 +12,15 @@ constexpr int most_passengers = 1'000'000;  ///< that a report can speak of
 // Of the cars that came free, by report, in the share that comes out low.
 constexpr double kept_in_city = 0.6;
 constexpr double kept_in_region = 0.9;
-constexpr double unknown = 1e4;           ///< variance of a count of which nothing is known
-constexpr double suspicion_enough = 3.0;  ///< of one region before all others: 20 to 1
-constexpr double most_suspicion = 6.0;    ///< by one report
-constexpr double first_doubt = 0.3;  ///< variance of a count that was just found to be wrong, beside the evidence's
-constexpr double certain_deviations = 2.0;  ///< of that balance, beyond which it says that somebody lies
-constexpr double least_deviation = 0.7;     ///< of that balance
-constexpr double most_deviations = 3.0;     ///< of the fleet's balance, if the estimates are to be trusted with it
+constexpr double unknown = 1e4;          ///< variance of a count of which nothing is known
+constexpr double least_deviation = 0.7;  ///< of the fleet's balance
+// Surprise up to which numbers of cars change as they should, from which on they do not, for how many reports in a row
+// they have to before they are followed, and with what variance.
+constexpr double surprise_of_steady = 3.0;
+constexpr double surprise_of_jump = 5.0;
+constexpr int steady_enough = 2;
+constexpr double noise_of_steady = 0.01;
+constexpr double most_deviations = 3.0;  ///< likewise, if the estimates are to be trusted with it
 
 int value_of(const Report& report, ReportField field) {
   return report.*measured.at(index_of(field)).member;
@@ -29,15 +30,8 @@ ReportField field_at(std::size_t index) {
   return static_cast<ReportField>(index + 1);
 }
 
-/// By how much likelier a count becomes, as a logarithm, if `gained` of it are a lie; one report convinces nobody
-/// alone.
-double likelier(int count, int gained, double expected, int slack) {
-  return std::clamp(log_probability(count - gained, expected, slack) - log_probability(count, expected, slack),
-                    -most_suspicion, most_suspicion);
-}
-
-StockVector stock_of(const RegionCounts& counts, const std::vector<UnderWay>& bound) {
-  return {counts.vacant, static_cast<double>(count_of(bound, Errand::passenger)), counts.low_battery, counts.plugged};
+RegionCounts cars_of(const Report& report, double waiting) {
+  return {static_cast<double>(report.vacant), static_cast<double>(report.low_battery), 0.0, waiting};
 }
 
 }  // namespace
@@ -62,7 +56,7 @@ FleetFilter::Result FleetFilter::observe(const Tick& tick, int minute,
   find_lies(news);
   learn(news);
   balance_fleet(news);
-  unexplained_ = surplus(news).value;
+  city_gained(news);
   for (int i = 0; i < n; ++i) {
     settle(tick.tick, i, news[static_cast<std::size_t>(i)], outlook);
   }
@@ -129,22 +123,42 @@ void FleetFilter::notice_impossible(int region, const News& news) {
                           (field != ReportField::plugged || value == std::ssize(news.plugged_since)) &&
                           (field != ReportField::points || value == news.points);
     if (!possible && !regions_[static_cast<std::size_t>(region)].lies.at(k)) {
-      disbelieve(region, news, field);
+      disbelieve({region, field, 0.0, 0.0, 0.0}, news);
     }
   }
 }
 
+/// Adds what a report of cars that are believed is evidence of. If demand is not believed, only cars that are too many
+/// without any passenger are.
+void FleetFilter::weigh(int region, News& news, const WindowOutlook& outlook) {
+  Region& known = regions_[static_cast<std::size_t>(region)];
+  const auto waiting = believed(region, news, ReportField::waiting);
+  if (!begun_ || known.stock || !waiting || !believes_cars(region, news)) {
+    return;
+  }
+  const auto demand = believed(region, news, ReportField::demand);
+  const double said = std::clamp(news.report->demand, 0, most_passengers);
+  Excess excess = excess_of(known.counts, news.window, cars_of(*news.report, *waiting), said);
+  excess.passengers =
+      favours_passengers(excess, said, outlook.demand(region), outlook.demand_dispersion * outlook.demand(region));
+  if (demand) {
+    news.excess = excess;
+  } else {
+    known.doubt.passengers += excess.passengers;
+    known.doubt.cars += excess.cars - excess.expected;
+    excess.cars = std::max(0, static_cast<int>(excess.cars - said));
+  }
+  known.evidence.add(excess);
+  news.weighed = true;
+}
+
 void FleetFilter::follow(int region, News& news, const WindowOutlook& outlook) {
   Region& known = regions_[static_cast<std::size_t>(region)];
+  weigh(region, news, outlook);
+  if (retry(region, news)) {
+    return;
+  }
   if (believes_cars(region, news)) {
-    const auto waiting = believed(region, news, ReportField::waiting);
-    const auto demand = believed(region, news, ReportField::demand);
-    if (begun_ && !known.stock && waiting && demand) {
-      const RegionCounts reported{static_cast<double>(news.report->vacant),
-                                  static_cast<double>(news.report->low_battery), 0.0, *waiting};
-      news.excess = excess_of(known.counts, news.window, reported, *demand);
-      known.evidence.add(*news.excess);
-    }
     known.stock.reset();
     return;
   }
@@ -153,9 +167,10 @@ void FleetFilter::follow(int region, News& news, const WindowOutlook& outlook) {
     known.stock.emplace(StockVector::Zero(), StockVector::Constant(unknown));
   } else {
     if (!known.stock) {
-      known.stock.emplace(stock_of(known.counts, news.bound), StockVector::Zero());
+      known.stock.emplace(stock_of(known.counts, count_of(news.bound, Errand::passenger)), StockVector::Zero());
+      known.doubt = {};
     }
-    const StockChange now = stock_change(news.window, picked_up(region, news, outlook));
+    const StockChange now = change_of(region, news, outlook);
     known.stock->predict(now.change, now.noise);
   }
   std::array<std::optional<double>, stocks> seen;
@@ -166,6 +181,46 @@ void FleetFilter::follow(int region, News& news, const WindowOutlook& outlook) {
     seen.at(static_cast<int>(CarKind::plugged)) = static_cast<double>(news.plugged_since.size());
   }
   known.stock->observe(seen);
+}
+
+/// What comes and goes where the numbers of cars are not believed: by the balance, or by these very numbers if they
+/// have changed as they should for some time, since what is off by a constant tells changes.
+StockChange FleetFilter::change_of(int region, const News& news, const WindowOutlook& outlook) {
+  Region& known = regions_[static_cast<std::size_t>(region)];
+  StockChange now = stock_change(news.window, picked_up(region, news, outlook));
+  const auto waiting = believed(region, news, ReportField::waiting);
+  const auto demand = believed(region, news, ReportField::demand);
+  const auto possible = [&](const RegionCounts& cars) {
+    return std::min(cars.vacant, cars.low_battery) >= 0.0 && std::max(cars.vacant, cars.low_battery) <= model_.vehicles;
+  };
+  if (!known.heard || !waiting || !demand || !possible(*known.heard) || !possible(cars_of(*news.report, 0.0))) {
+    known.doubt.steady = 0;
+    known.doubt.jumped = true;
+    return now;
+  }
+  RegionCounts before = *known.heard;
+  before.waiting = known.counts.waiting;
+  const RegionCounts reported = cars_of(*news.report, *waiting);
+  const Excess excess = excess_of(before, news.window, reported, *demand);
+  const double surprised =
+      std::max(surprise(excess.cars, excess.expected, excess.slack), surprise(excess.low, excess.expected_low, 0));
+  const auto rests = [&](ReportField field, double change, CarKind kind) {
+    return !believed(region, news, field) && change == 0.0 && std::abs(now.change(static_cast<int>(kind))) >= 1.0;
+  };
+  const double vacant = reported.vacant - before.vacant;
+  const double low = reported.low_battery - before.low_battery;
+  const bool steady = surprised < surprise_of_steady && !rests(ReportField::vacant, vacant, CarKind::vacant) &&
+                      !rests(ReportField::low_battery, low, CarKind::low_battery);
+  known.doubt.passengers +=
+      favours_passengers(excess, *demand, outlook.demand(region), outlook.demand_dispersion * outlook.demand(region));
+  known.doubt.steady = steady ? known.doubt.steady + 1 : 0;
+  known.doubt.jumped = known.doubt.jumped || surprised > surprise_of_jump;
+  if (known.doubt.steady >= steady_enough) {
+    now.change(static_cast<int>(CarKind::vacant)) = vacant;
+    now.change(static_cast<int>(CarKind::low_battery)) = low;
+    now.noise = StockMatrix::Identity() * noise_of_steady;
+  }
+  return now;
 }
 
 /// The share of cars that come out low, from the regions whose reports tell it.
@@ -205,111 +260,15 @@ FleetFilter::Estimate FleetFilter::surplus(const std::vector<News>& news) const 
   return {cars, std::sqrt(variance)};
 }
 
-/// Whom the evidence accuses. Where there is enough by itself it is a number of cars, unless the city's cars come out
-/// better without: then it is a number of passengers. Where there is less, it is a number of cars that explains what
-/// the city has gained or lost.
-std::vector<std::pair<int, ReportField>> FleetFilter::accused(const std::vector<News>& news) const {
-  const auto evidence_of = [&](int region) -> const Evidence& {
-    return regions_[static_cast<std::size_t>(region)].evidence;
-  };
-  std::vector<int> open;
-  const Estimate now = surplus(news);
-  double left = now.value;
-  for (int i = 0; i < static_cast<int>(news.size()); ++i) {
-    if (news[static_cast<std::size_t>(i)].excess && evidence_of(i).enough_to_explain()) {
-      open.push_back(i);
-      left -= evidence_of(i).enough() ? evidence_of(i).cars() : 0.0;
-    }
+/// Cars that the city came to have too many of since this was asked last; evidence that is open takes note of it.
+double FleetFilter::city_gained(const std::vector<News>& news) {
+  const double cars = surplus(news).value;
+  const double gained = cars - unexplained_;
+  for (Region& known : regions_) {
+    known.evidence.add_city(gained);
   }
-  std::ranges::stable_sort(open, std::ranges::greater{}, [&](int i) { return std::abs(evidence_of(i).cars()); });
-  const bool gained = std::abs(now.value - unexplained_) > certain_deviations * now.deviation;
-  std::vector<std::pair<int, ReportField>> found;
-  for (const int region : open) {
-    const Evidence& evidence = evidence_of(region);
-    const double cars = evidence.cars();
-    const auto better = [&](double without) { return std::abs(without) < std::abs(left) - std::abs(cars) / 2.0; };
-    const bool passengers = evidence.enough() && better(left + cars);
-    const bool counted = evidence.enough() ? !passengers : gained && better(left - cars);
-    if (passengers) {
-      left += cars;
-    }
-    if (counted) {
-      left -= evidence.enough() ? 0.0 : cars;
-      found.emplace_back(region,
-                         evidence.low() * cars > cars * cars / 2.0 ? ReportField::low_battery : ReportField::vacant);
-    } else if (passengers && evidence.enough_against_passengers()) {
-      found.emplace_back(region, passengers_field(region, news[static_cast<std::size_t>(region)]));
-    }
-  }
-  return found;
-}
-
-/// Too few cars are too many passengers who wait if somebody waits beside a vacant car; too many are too few of them if
-/// nobody waits where there is none; else demand is wrong.
-ReportField FleetFilter::passengers_field(int region, const News& news) const {
-  const bool waits = news.report->waiting > 0;
-  const bool vacant = news.report->vacant > 0;
-  const bool too_few = regions_[static_cast<std::size_t>(region)].evidence.cars() < 0.0;
-  return waits == vacant && waits == too_few ? ReportField::waiting : ReportField::demand;
-}
-
-void FleetFilter::find_lies(const std::vector<News>& news) {
-  for (const auto& [region, field] : accused(news)) {
-    disbelieve(region, news[static_cast<std::size_t>(region)], field);
-  }
-  if (const auto culprit = suspected(news)) {
-    disbelieve(culprit->first, news[static_cast<std::size_t>(culprit->first)], culprit->second);
-  }
-}
-
-/// If the city has gained or lost cars, a number of cars lies somewhere, be it by little: that of the region where so
-/// many too many are likely, and likelier than anywhere else.
-std::optional<std::pair<int, ReportField>> FleetFilter::suspected(const std::vector<News>& news) {
-  const Estimate now = surplus(news);
-  const int gained = static_cast<int>(std::lround(now.value - unexplained_));
-  const bool told = gained != 0 && std::abs(gained) > certain_deviations * now.deviation;
-  std::vector<std::pair<double, int>> ranked;
-  for (std::size_t i = 0; i < news.size(); ++i) {
-    Region& known = regions_[i];
-    if (!news[i].excess || std::abs(now.value) < 0.5) {
-      known.suspicion = known.suspicion_of_low = 0.0;
-    } else if (told) {
-      const Excess& excess = *news[i].excess;
-      known.suspicion += likelier(excess.cars, gained, excess.expected, excess.slack);
-      known.suspicion_of_low += likelier(excess.low, gained, excess.expected_low, 0);
-    }
-    ranked.emplace_back(known.suspicion, static_cast<int>(i));
-  }
-  std::ranges::partial_sort(ranked, ranked.begin() + std::min<std::ptrdiff_t>(2, std::ssize(ranked)),
-                            std::ranges::greater{});
-  if (!told || ranked.front().first < suspicion_enough ||
-      (ranked.size() > 1 && ranked[0].first - ranked[1].first < suspicion_enough)) {
-    return std::nullopt;
-  }
-  Region& culprit = regions_[static_cast<std::size_t>(ranked.front().second)];
-  culprit.evidence.conclude(now.value);
-  const ReportField field = culprit.suspicion_of_low > 0.0 ? ReportField::low_battery : ReportField::vacant;
-  culprit.suspicion = culprit.suspicion_of_low = 0.0;
-  return std::pair(ranked.front().second, field);
-}
-
-void FleetFilter::disbelieve(int region, const News& news, ReportField field) {
-  Region& known = regions_[static_cast<std::size_t>(region)];
-  std::deque<double> before;
-  for (const Fields& past : known.past) {
-    before.push_back(past.at(index_of(field)));
-  }
-  known.lies.at(index_of(field)).emplace(std::move(before));
-  if (news.excess && (field == ReportField::vacant || field == ReportField::low_battery)) {
-    RegionCounts counts{static_cast<double>(news.report->vacant), static_cast<double>(news.report->low_battery),
-                        static_cast<double>(news.plugged_since.size()), 0.0};
-    (field == ReportField::vacant ? counts.vacant : counts.low_battery) -= known.evidence.cars();
-    StockVector variances = StockVector::Zero();
-    variances(static_cast<int>(field == ReportField::vacant ? CarKind::vacant : CarKind::low_battery)) =
-        known.evidence.variance() + first_doubt;
-    known.stock.emplace(stock_of(counts, news.bound), variances);
-  }
-  known.evidence.clear();
+  unexplained_ = cars;
+  return gained;
 }
 
 /// Each estimated region takes its share of the surplus, unless that is more than estimates can be wrong by: then

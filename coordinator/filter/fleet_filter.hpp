@@ -48,12 +48,13 @@ struct WindowOutlook {
 /// sessions that begin and end, which are listed, and by passengers picked up, who are those who waited and who
 /// appeared less those who wait now. What a report says too much is therefore a count with a known small mean:
 /// drop-offs of trips too short to be announced, and passengers who gave up. Reports that are too surprising together
-/// say that one of the four numbers lies: low_battery if it is off by as much; else vacant if the city then has as many
-/// cars again as the fleet; else demand or waiting, which leave the number of cars right. So many passengers alone
-/// surprise nobody: a spike is followed by as many pick-ups.
+/// say that one of the four numbers lies: low_battery or vacant if the city came to have as many cars too many; else
+/// demand or waiting, which leave the number of cars right. Where others lie too, the forecast of demand decides. So
+/// many passengers alone surprise nobody: a spike is followed by as many pick-ups.
 ///
-/// A number that lies is not believed until it has agreed with its estimate three times in a row. Estimates are
-/// those of a StockFilter for cars, of the balance for passengers, and for points what was announced.
+/// A number that lies is not believed until it has agreed with its estimate three times in a row, or until the fleet or
+/// the forecast shows that it was wrongly accused. Estimates are those of a StockFilter for cars, of the balance for
+/// passengers, and for points what was announced.
 class FleetFilter {
  public:
   /// Knows of no vehicle yet.
@@ -77,12 +78,28 @@ class FleetFilter {
  private:
   using Fields = std::array<double, measured.size()>;  ///< a number for each field, by `measured`
 
+  /// That a region's number of cars is why the city has more cars than the fleet, or fewer.
+  struct Suspicion {
+    double of_vacant = 0.0;  ///< ln of how much likelier the reports are if vacant cars lie
+    double of_low = 0.0;     ///< likewise low-battery ones
+    double cars = 0.0;       ///< that the city came to have too many of
+  };
+
+  /// How numbers of cars or passengers that are not believed have changed.
+  struct Doubt {
+    int steady = 0;           ///< reports in a row by which cars changed as they should
+    bool jumped = false;      ///< whether they once certainly did not
+    double passengers = 0.0;  ///< ln of how much likelier it is that passengers are wrong than cars
+    double cars = 0.0;        ///< that are too many if it is cars
+  };
+
   struct Region {
-    RegionCounts counts;               ///< as they are believed to be
-    std::optional<StockFilter> stock;  ///< if not all of its cars are reported and believed
-    Evidence evidence;                 ///< of a lie that is not found yet
-    double suspicion = 0.0;         ///< that its number of cars is why the city has more cars than the fleet, or fewer
-    double suspicion_of_low = 0.0;  ///< how much likelier it is that of low-battery ones than of vacant ones
+    RegionCounts counts;                                   ///< as they are believed to be
+    std::optional<StockFilter> stock;                      ///< if not all of its cars are reported and believed
+    Evidence evidence;                                     ///< of a lie that is not found yet
+    Suspicion suspicion;                                   ///< likewise
+    Doubt doubt;                                           ///< while not all of it is believed
+    std::optional<RegionCounts> heard;                     ///< its cars as the last report said, true or not
     std::array<std::optional<Lie>, measured.size()> lies;  ///< by `measured`
     std::deque<Fields> past;                               ///< estimates at the last reports
     LowShare low_share;                                    ///< of the cars that come free here
@@ -102,6 +119,24 @@ class FleetFilter {
     int broken = 0;                  ///< vehicles, likewise
     RegionWindow window;             ///< since the last plan
     std::optional<Excess> excess;    ///< if all that it takes is believed
+    bool weighed = false;            ///< whether there is evidence of it: its cars and who waits are believed
+  };
+
+  /// A field that lies, and if it is a number of cars, by how many.
+  struct Accusation {
+    int region = 0;
+    ReportField field = ReportField::none;
+    double cars = 0.0;
+    double variance = 0.0;    ///< of `cars`
+    double passengers = 0.0;  ///< ln of how much likelier it was that passengers are wrong
+  };
+
+  /// A region of whose cars there is evidence that they are wrong, if passengers are not.
+  struct Candidate {
+    int region = 0;
+    bool low = false;     ///< whether it is low-battery cars, not vacant ones
+    bool enough = false;  ///< evidence, by itself
+    double cars = 0.0;    ///< too many
   };
 
   /// An estimate and the standard deviation of its error.
@@ -122,12 +157,20 @@ class FleetFilter {
 
   void notice_impossible(int region, const News& news);
   void follow(int region, News& news, const WindowOutlook& outlook);
+  void weigh(int region, News& news, const WindowOutlook& outlook);
+  StockChange change_of(int region, const News& news, const WindowOutlook& outlook);
   void learn(const std::vector<News>& news);
   void find_lies(const std::vector<News>& news);
-  std::optional<std::pair<int, ReportField>> suspected(const std::vector<News>& news);
-  std::vector<std::pair<int, ReportField>> accused(const std::vector<News>& news) const;
+  double city_gained(const std::vector<News>& news);
+  bool acquit(const std::vector<News>& news, double gained);
+  std::vector<int> acquitted(const std::vector<News>& news) const;
+  bool retry(int region, const News& news);
+  std::optional<Accusation> suspected(const std::vector<News>& news, double gained);
+  std::vector<Candidate> candidates(const std::vector<News>& news) const;
+  std::vector<Accusation> accused(const std::vector<News>& news);
+  bool may_be_passengers(int region, const News& news) const;
   ReportField passengers_field(int region, const News& news) const;
-  void disbelieve(int region, const News& news, ReportField field);
+  void disbelieve(const Accusation& of, const News& news);
   Estimate surplus(const std::vector<News>& news) const;
   void balance_fleet(const std::vector<News>& news);
   Estimate estimate(int region, const News& news, const WindowOutlook& outlook, ReportField field) const;

@@ -34,6 +34,20 @@ TEST(Balance, IsNotDisturbedByASpike) {
   EXPECT_EQ(excess_of(before, window, {7.0 - 3.0, 2.0, 1.0, 0.0 + 2.0}, 5.0 + 5.0).cars, 0);
 }
 
+TEST(Balance, AsksTheForecastWhetherPassengersAreWrong) {
+  const auto favours = [](int cars, double demand) {
+    Excess excess;
+    excess.cars = cars;
+    excess.expected = 0.2;
+    return favours_passengers(excess, demand, 3.0, 4.0);
+  };
+  EXPECT_EQ(favours(0, 3.0), 0.0);
+  EXPECT_GT(favours(8, 11.0), 2.0) << "three really appeared, as usual";
+  EXPECT_LT(favours(8, 3.0), -2.0) << "less than none cannot have appeared";
+  EXPECT_LT(favours(-8, 3.0), -2.0) << "eleven are many";
+  EXPECT_GT(favours(-4, 0.0), 0.5) << "four are more usual than none";
+}
+
 TEST(Balance, ConservesCarsInItsPrediction) {
   const StockChange change = stock_change(window, {6.0, 0.2});
   // Four came and 0.4 will have; one was sent off, six were picked up.

@@ -9,10 +9,12 @@ namespace {
 /// region 1, all are picked up, and none has arrived.
 class FleetFilterTest : public testing::Test {
  protected:
-  FleetFilterTest()
-      : filter_({30, Eigen::VectorXi::Zero(3), 20.0, Eigen::MatrixXd::Constant(3, 3, 15.0),
-                 [](double /*so_far*/, double /*minutes*/) { return 0.0; }}) {
-    hear(0, {said(0, 10, 0), said(1, 10, 0), said(2, 10, 0)});
+  FleetFilterTest() { begin({said(0, 10, 0), said(1, 10, 0), said(2, 10, 0)}); }
+
+  void begin(std::vector<std::optional<Report>> reports) {
+    filter_ = FleetFilter({30, Eigen::VectorXi::Zero(3), 20.0, Eigen::MatrixXd::Constant(3, 3, 15.0),
+                           [](double /*so_far*/, double /*minutes*/) { return 0.0; }});
+    hear(0, std::move(reports));
   }
 
   static Report said(int region, int vacant, int demand) {
@@ -39,10 +41,11 @@ class FleetFilterTest : public testing::Test {
       }
     }
     const Eigen::VectorXd demand = Eigen::VectorXd::Constant(3, 2.0);
-    return filter_.observe(announced, 5 * tick, reports, {}, {{}, demand, 1.4});
+    return filter_.observe(announced, 5 * tick, reports, {}, {short_trips_, demand, 1.4});
   }
 
-  FleetFilter filter_;
+  std::vector<ShortTrips> short_trips_;
+  FleetFilter filter_{FilterModel{}};
 };
 
 using Flags = std::vector<SensorFlag>;
@@ -125,6 +128,41 @@ TEST_F(FleetFilterTest, BelievesAFieldAgainOnceItHasAgreedThreeTimes) {
   EXPECT_EQ(hear(6, quiet(), 3).flags.size(), 1U);
   EXPECT_EQ(hear(8, quiet(), 3).flags, Flags{});
   EXPECT_EQ(filter_.variance(), Eigen::VectorXd::Zero(3));
+}
+
+TEST_F(FleetFilterTest, AccusesLowBatteryCarsWherePassengersMayHaveGivenUp) {
+  auto reports = truth();
+  reports[0] = said(0, 0, 15);
+  reports[0]->waiting = 5;
+  EXPECT_EQ(hear(2, reports, 11).flags, Flags{});
+  reports[0]->demand = reports[1]->demand = 0;
+  reports[0]->low_battery = 5;
+  EXPECT_EQ(hear(4, reports, 11).flags, (Flags{{0, ReportField::low_battery, SensorFaultKind::biased, 5, 0, false}}));
+}
+
+TEST_F(FleetFilterTest, AccusesDemandBesideCarsThatHaveAlwaysBeenTooMany) {
+  begin({said(0, 10, 0), said(1, 10, 0), said(2, 20, 0)});
+  hear(2, {said(0, 8, 7), said(1, 9, 1), said(2, 20, 0)}, 3);
+  const auto flags = hear(4, {said(0, 6, 7), said(1, 8, 1), said(2, 20, 0)}, 6).flags;
+  ASSERT_EQ(flags.size(), 1U);
+  EXPECT_EQ(flags[0].region, 0);
+  EXPECT_EQ(flags[0].field, ReportField::demand);
+}
+
+TEST_F(FleetFilterTest, BelievesAReportThatIsRightAgain) {
+  begin({said(0, 16, 0), said(1, 10, 0), said(2, 10, 0)});
+  EXPECT_EQ(hear(2, truth(), 3).flags, Flags{});
+}
+
+TEST_F(FleetFilterTest, FollowsCarsThatAreOffByAConstant) {
+  // In each of two regions two passengers are picked up between reports, and one of the cars is back. Alone the fleet
+  // cannot tell how the two share what is not known of those that are back.
+  short_trips_ = {{0, 0, 0.4}, {1, 1, 0.4}};
+  for (int k = 1; k <= 6; ++k) {
+    const auto result = hear(2 * k, {said(0, 10 - k + 6, 2), said(1, 10 - k + 6, 2), said(2, 10, 0)}, 2 * k);
+    EXPECT_NEAR(result.reports[0].vacant, 10 - k, 1) << k;
+  }
+  EXPECT_LT(filter_.variance()(0), 2.0);
 }
 
 }  // namespace
