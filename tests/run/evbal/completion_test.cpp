@@ -68,7 +68,8 @@ TEST(Completion, OfOptions) {
   EXPECT_EQ(offered("run toy.yaml --seed 7 --tr"), Words{"--transport"});
   EXPECT_EQ(offered("ingest gps --sta"), Words{"--stations"});
   EXPECT_EQ(offered("--v"), Words{"--version"});
-  EXPECT_EQ(offered("report --"), (Words{"--against", "--figures", "--help", "--out"}));
+  EXPECT_EQ(offered("report --"),
+            (Words{"--against", "--days", "--faults", "--figures", "--help", "--out", "--scenario", "--variant"}));
 }
 
 TEST(Completion, OfWhatIsListed) {
