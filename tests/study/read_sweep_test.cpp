@@ -201,11 +201,14 @@ TEST_F(SweepOfToy, BoundsItsDaysWithoutFaultsOnceWhoeverControls) {
 TEST_F(SweepOfToy, MayBeCutShort) {
   write("sweep.yaml",
         "schema: 1\nscenario: base.yaml\ndays: [2024-01-11, 2024-01-12, 2024-01-10]\nseeds: [1, 2]\n"
-        "variants: [{controller: none}, {controller: ratio, seeds: [5, 6]}]\n");
+        "variants: [{controller: none}, {controller: ratio, seeds: [5, 6], settings: {balancing.p_ratio: [1, 2, 4, "
+        "8]}}]\n");
   const Sweep sweep = read_sweep(path("sweep.yaml"), {.quick = true});
-  ASSERT_EQ(sweep.days.size(), 4U);
+  ASSERT_EQ(sweep.days.size(), 6U);
   EXPECT_EQ(sweep.days[1].day, "2024-01-12");
   EXPECT_EQ(sweep.days[3].seed, 5U);
+  EXPECT_EQ(sweep.days[2].settings.at("balancing.p_ratio"), "1");
+  EXPECT_EQ(sweep.days[4].settings.at("balancing.p_ratio"), "8");
 }
 
 TEST_F(SweepOfToy, RefusesWhatIsWrong) {

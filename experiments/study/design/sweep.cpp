@@ -47,6 +47,15 @@ std::vector<Axis> read_axes(const std::optional<YamlValue>& value) {
   return axes;
 }
 
+/// Of more than two values the first and the last.
+void keep_ends(std::vector<Axis>& axes) {
+  for (Axis& axis : axes) {
+    if (axis.values.size() > 2) {
+      axis.values = {axis.values.front(), axis.values.back()};
+    }
+  }
+}
+
 Variant read_variant(const YamlValue& value) {
   YamlMap map(value);
   Variant variant{.place = value};
@@ -169,6 +178,11 @@ Sweep read_sweep(const fs::path& file, const SweepReading& reading) {
   map.finish();
   if (reading.quick) {
     replications.cut(quick_days, 1);
+    for (Variant& variant : variants) {
+      keep_ends(variant.settings);
+      keep_ends(variant.factors);
+      variant.seeds.resize(std::min<std::size_t>(variant.seeds.size(), 1));
+    }
   }
 
   Sweep sweep;
@@ -176,8 +190,7 @@ Sweep read_sweep(const fs::path& file, const SweepReading& reading) {
   sweep.page =
       page ? std::optional(read_page(*page, {names_of(variants), replications.scenarios(), replications.faults()}))
            : std::nullopt;
-  for (auto& variant : variants) {
-    variant.seeds.resize(std::min<std::size_t>(variant.seeds.size(), reading.quick ? 1 : variant.seeds.size()));
+  for (const auto& variant : variants) {
     for (const auto& name : replications.scenarios()) {
       const auto& other = replications.tuned_as(name);
       const InScenario here = in_scenario(variant, other ? other->text() : name, tuned);

@@ -42,7 +42,7 @@ struct Sweep {
 
 /// How much of a sweep is read, and what else it needs.
 struct SweepReading {
-  bool quick = false;             ///< the first two days and the first seed only
+  bool quick = false;             ///< two days, one seed, and two values of each setting only
   std::filesystem::path tuned{};  ///< what came of the file's `tuning`; empty: it has none
 };
 

@@ -58,7 +58,7 @@ void note_paths(const std::vector<Setting>& settings, std::vector<std::string>& 
 void refuse_path(const YamlValue& value, const std::string& path) {
   static constexpr std::array own = {
       "schema", "name",      "day",    "seed",        "controller",          "controllers", "coordinator",
-      "faults", "transport", "expect", "cross_check", "regions_per_process", "security"};
+      "faults", "transport", "expect", "cross_check", "regions_per_process", "security",    "hosts"};
   const std::vector<std::string> metrics = metric_names();
   if (std::find(own.begin(), own.end(), path.substr(0, path.find('.'))) != own.end() ||
       std::find(metrics.begin(), metrics.end(), path) != metrics.end()) {
