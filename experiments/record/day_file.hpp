@@ -47,8 +47,8 @@ RequestedFault requested(const Fault& fault);
 ///
 /// `seq` counts the like entries of one message. Columns `origin_process_id` and `origin_seconds` of
 /// injector, reports, plans and departures name the writer of a message and its CPU seconds. They, and events of the
-/// kinds "process ...", "host gone", "sample refused" and "stranger kept out", may differ between two runs; nothing else
-/// does.
+/// kinds "process ...", "host gone", "sample refused" and "stranger kept out", may differ between two runs; nothing
+/// else does.
 ///
 /// All members throw Error{run_failed} if the file cannot be written.
 class DayFile {

@@ -13,8 +13,8 @@ struct Leftover {
 };
 
 /// What is left of runs that broke off: their processes on this machine, their journals and keys in the folder runs/ of
-/// the current directory, which nothing will read any more, and their folders on the hosts that runs in runs/ name. What
-/// cannot be read is passed over; a host that cannot be asked is one of the leftovers, which cannot be removed.
+/// the current directory, which nothing will read any more, and their folders on the hosts that runs in runs/ name.
+/// What cannot be read is passed over; a host that cannot be asked is one of the leftovers, which cannot be removed.
 std::vector<Leftover> find_leftovers();
 
 }  // namespace evbal

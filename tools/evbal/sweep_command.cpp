@@ -132,7 +132,8 @@ void add_sweep_command(CLI::App& app) {
   SweepArguments& arguments = asked->arguments;
   command->add_option("SWEEP", arguments.sweep, "Sweep file (YAML), or the name of a shipped one")->required();
   command->add_option("--out", arguments.out, "Directory, new or of this sweep; otherwise one under runs/");
-  command->add_flag("--quick", arguments.quick, "Two days, one seed and two values of each setting only, to see every part");
+  command->add_flag("--quick", arguments.quick,
+                    "Two days, one seed and two values of each setting only, to see every part");
   CLI::Option* plan_only = command->add_flag(
       "--dry-run", asked->dry_run, "Say what is played, failed and left, and how long that will take; play nothing");
   command
