@@ -123,13 +123,19 @@ TEST(Verdict, TellsHowMuchOfTheWayToTheBoundWasGone) {
       << text;  // 50 of 80
 }
 
+/// The page of one question about two pairs: the new one in `cities`, and the old one in a.
+Page asking_both_ways(const std::string& cities) {
+  return read_page(YamlValue::parse("title: T\nsections: [{title: S}]\nverdict:\n  - question: Does any?\n    fronts:\n"
+                                    "      - {variants: [new], against: [old], primary: {scenarios: [" +
+                                        cities +
+                                        "]}}\n"
+                                        "      - {variants: [old], against: [new], primary: {scenario: a}}\n",
+                                    "sweep.yaml"),
+                   {{"old", "new"}, {"a", "b"}, {"calm"}});
+}
+
 TEST(Verdict, NamesThePairsIfThereAreSeveral) {
-  const Page page =
-      read_page(YamlValue::parse("title: T\nsections: [{title: S}]\nverdict:\n  - question: Does any?\n    fronts:\n"
-                                 "      - {variants: [new], against: [old], primary: {scenario: a}}\n"
-                                 "      - {variants: [old], against: [new], primary: {scenario: a}}\n",
-                                 "sweep.yaml"),
-                {{"old", "new"}, {"a", "b"}, {"calm"}});
+  const Page page = asking_both_ways("a");
   std::vector<FinishedDay> days;
   add_city(days, "a", fewer);
   expect_begin(verdict(page, {days}),
@@ -139,12 +145,7 @@ TEST(Verdict, NamesThePairsIfThereAreSeveral) {
 }
 
 TEST(Verdict, NamesPairsAndPlacesIfThereAreSeveralOfBoth) {
-  const Page page =
-      read_page(YamlValue::parse("title: T\nsections: [{title: S}]\nverdict:\n  - question: Does any?\n    fronts:\n"
-                                 "      - {variants: [new], against: [old], primary: {scenarios: [a, b]}}\n"
-                                 "      - {variants: [old], against: [new], primary: {scenario: a}}\n",
-                                 "sweep.yaml"),
-                {{"old", "new"}, {"a", "b"}, {"calm"}});
+  const Page page = asking_both_ways("a, b");
   std::vector<FinishedDay> days;
   add_city(days, "a", fewer);
   add_city(days, "b", fewer);

@@ -4,8 +4,8 @@
 
 #include "agents/bus/fast_dds.hpp"
 #include "agents/bus/keys.hpp"
-#include "agents/bus/ports.hpp"
 #include "agents/bus/topics.hpp"
+#include "tests/bus/dds/stranger_qos.hpp"
 
 #include <poll.h>
 #include <unistd.h>
@@ -13,7 +13,6 @@
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
-#include <memory>
 #include <string>
 #include <thread>
 #include <vector>
@@ -27,20 +26,8 @@ namespace rtps = fast_dds::rtps;
 constexpr int ticks_of_a_day = 300;
 
 dds::DomainParticipant* join(int domain, int participants, const std::string& keys) {
-  dds::DomainParticipantQos qos;
+  auto qos = test::stranger_qos(domain, participants);
   qos.name("intruder");
-  qos.wire_protocol().participant_id = participants + 20;
-  qos.transport().use_builtin_transports = false;
-  const auto udp = std::make_shared<fast_dds::UDPv4TransportDescriptor>();
-  udp->interfaceWhiteList = {"127.0.0.1"};
-  qos.transport().user_transports.push_back(udp);
-  for (int peer = 0; peer < participants; ++peer) {
-    rtps::Locator_t locator;
-    locator.kind = LOCATOR_KIND_UDPv4;
-    fast_dds::IPLocator::setIPv4(locator, 127, 0, 0, 1);
-    locator.port = static_cast<std::uint32_t>(discovery_port(domain, peer));
-    qos.wire_protocol().builtin.initialPeersList.push_back(locator);
-  }
   if (!keys.empty()) {
     for (const auto& [name, value] : security_properties(keys)) {
       qos.properties().properties().emplace_back(name, value);

@@ -141,8 +141,9 @@ TEST_F(SecurityTest, WhoHasNoCertificateIsKeptOutAndNamed) {
 }
 
 TEST_F(SecurityTest, WhoIsOfAnotherAuthorityIsKeptOutAndNamed) {
-  disturb([&] { return (forged_keys() / "agent-1").string(); }, 3s,
-          "which calls itself `intruder`, cannot prove that it is agent-1");
+  disturb([&] { return (forged_keys() / "agent-1").string(); }, 3s, "which calls itself `intruder`, ");
+  // The intruder's own middleware may turn from us, who are of another authority, before it has shown its certificate.
+  EXPECT_TRUE(says("cannot prove that it is agent-1") || says("has not proved that it is agent-1")) << said_;
 }
 
 TEST_F(SecurityTest, AnAgentHasNoSayForOthersNorOnPlans) {

@@ -3,9 +3,9 @@
 // Makes the file READY once everybody can hear it.
 
 #include "agents/bus/fast_dds.hpp"
-#include "agents/bus/ports.hpp"
 #include "agents/bus/topics.hpp"
 #include "common/random.hpp"
+#include "tests/bus/dds/stranger_qos.hpp"
 
 #include <poll.h>
 #include <unistd.h>
@@ -16,7 +16,6 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
-#include <memory>
 #include <string>
 #include <thread>
 #include <vector>
@@ -53,19 +52,7 @@ using Noise = MessageType<Message, NoiseBytes<Message>>;
 class Stranger {
  public:
   Stranger(int domain, int participants) {
-    dds::DomainParticipantQos qos;
-    qos.wire_protocol().participant_id = participants + 20;
-    qos.transport().use_builtin_transports = false;
-    const auto udp = std::make_shared<fast_dds::UDPv4TransportDescriptor>();
-    udp->interfaceWhiteList = {"127.0.0.1"};
-    qos.transport().user_transports.push_back(udp);
-    for (int peer = 0; peer < participants; ++peer) {
-      rtps::Locator_t locator;
-      locator.kind = LOCATOR_KIND_UDPv4;
-      fast_dds::IPLocator::setIPv4(locator, 127, 0, 0, 1);
-      locator.port = static_cast<std::uint32_t>(discovery_port(domain, peer));
-      qos.wire_protocol().builtin.initialPeersList.push_back(locator);
-    }
+    const auto qos = test::stranger_qos(domain, participants);
     auto* factory = dds::DomainParticipantFactory::get_instance();
     participant_ = factory->create_participant(static_cast<std::uint32_t>(domain), qos);
     noisy_ = factory->create_participant(static_cast<std::uint32_t>(domain), with_next_number(qos));
