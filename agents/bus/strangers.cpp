@@ -20,14 +20,14 @@ std::string fit(std::string name) {
 }  // namespace
 
 void Strangers::seen(const GuidPrefix& who, const std::string& name, Clock::time_point now) {
-  if (!roster_.secured()) {
+  const std::lock_guard lock(mutex_);
+  if (!roster_.secured() || proved_.contains(who)) {
     return;
   }
-  const std::lock_guard lock(mutex_);
   Unproved& stranger = unproved_[who];
-  stranger = {.name = fit(name), .since = now};
-  if (roster_.number_of(who) < 0) {
-    this->name(who, stranger, "has no certificate of this run");
+  stranger = {.name = fit(name), .since = now, .failed = stranger.failed, .named = stranger.named};
+  if (stranger.failed || roster_.number_of(who) < 0) {
+    this->name(who, stranger);
   }
 }
 
@@ -35,24 +35,30 @@ void Strangers::proved(const GuidPrefix& who) {
   const std::lock_guard lock(mutex_);
   if (roster_.number_of(who) >= 0) {
     unproved_.erase(who);
+    proved_.insert(who);
   }
 }
 
-void Strangers::failed(const GuidPrefix& who) {
+void Strangers::failed(const GuidPrefix& who, Clock::time_point now) {
   const std::lock_guard lock(mutex_);
-  name(who, unproved_[who], "cannot prove that it is " + claim_of(who));
+  const auto [stranger, is_new] = unproved_.try_emplace(who, Unproved{.since = now});
+  stranger->second.failed = true;
+  if (!is_new) {
+    name(who, stranger->second);
+  }
 }
 
 void Strangers::left(const GuidPrefix& who) {
   const std::lock_guard lock(mutex_);
   unproved_.erase(who);
+  proved_.erase(who);
 }
 
 std::vector<std::string> Strangers::named(Clock::time_point now) {
   const std::lock_guard lock(mutex_);
   for (auto& [who, stranger] : unproved_) {
     if (now - stranger.since >= time_to_prove) {
-      name(who, stranger, "has not proved that it is " + claim_of(who));
+      name(who, stranger);
     }
   }
   if (unnamed_ > 0) {
@@ -61,7 +67,7 @@ std::vector<std::string> Strangers::named(Clock::time_point now) {
   return std::exchange(found_, {});
 }
 
-void Strangers::name(const GuidPrefix& who, Unproved& stranger, const std::string& why) {
+void Strangers::name(const GuidPrefix& who, Unproved& stranger) {
   if (std::exchange(stranger.named, true)) {
     return;
   }
@@ -69,14 +75,12 @@ void Strangers::name(const GuidPrefix& who, Unproved& stranger, const std::strin
     ++unnamed_;
     return;
   }
-  found_.push_back("participant " + text_of(who) + ", which calls itself `" + stranger.name + "`, " + why);
-  log_line(LogLevel::warn, "kept out: " + found_.back());
-}
-
-/// Whom the participant's GUID says it is.
-std::string Strangers::claim_of(const GuidPrefix& who) const {
   const int number = roster_.number_of(who);
-  return number < 0 ? "of this run" : name_of(number);
+  found_.push_back("participant " + text_of(who) + ", which calls itself `" + stranger.name + "`, " +
+                   (number < 0        ? "has no certificate of this run"
+                    : stranger.failed ? "cannot prove that it is " + name_of(number)
+                                      : "has not proved that it is " + name_of(number)));
+  log_line(LogLevel::warn, "kept out: " + found_.back());
 }
 
 }  // namespace evbal

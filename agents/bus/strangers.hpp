@@ -5,6 +5,7 @@
 #include <chrono>
 #include <map>
 #include <mutex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -26,8 +27,8 @@ class Strangers {
   void seen(const GuidPrefix& who, const std::string& name, Clock::time_point now = Clock::now());
   /// It has proved that its certificate and its grant are genuine.
   void proved(const GuidPrefix& who);
-  /// It has tried and failed.
-  void failed(const GuidPrefix& who);
+  /// It has tried and failed. Who proves itself, or fails, may be seen before or after.
+  void failed(const GuidPrefix& who, Clock::time_point now = Clock::now());
   /// It is gone.
   void left(const GuidPrefix& who);
 
@@ -36,17 +37,18 @@ class Strangers {
 
  private:
   struct Unproved {
-    std::string name;
+    std::string name{};
     Clock::time_point since;
+    bool failed = false;
     bool named = false;
   };
 
-  void name(const GuidPrefix& who, Unproved& stranger, const std::string& why);
-  std::string claim_of(const GuidPrefix& who) const;
+  void name(const GuidPrefix& who, Unproved& stranger);
 
   const Roster& roster_;
   std::mutex mutex_;
   std::map<GuidPrefix, Unproved> unproved_;
+  std::set<GuidPrefix> proved_;
   std::vector<std::string> found_;
   std::size_t unnamed_ = 0;  ///< beyond most_named
 };

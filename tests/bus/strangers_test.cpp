@@ -72,6 +72,17 @@ TEST_F(StrangersAccount, NamesWhoFailsAndWhoDoesNotTry) {
   EXPECT_NE(named[0].find("`y`, has not proved that it is agent-0"), std::string::npos);
 }
 
+TEST_F(StrangersAccount, DoesNotDependOnWhetherProofComesBeforeSight) {
+  strangers_.proved(prefix("agent-1"));
+  strangers_.seen(prefix("agent-1"), "agent-1", now_);
+  strangers_.failed(prefix("agent-0"), now_);
+  EXPECT_TRUE(strangers_.named(now_).empty()) << "its name is not known yet";
+  strangers_.seen(prefix("agent-0"), "x", now_);
+  const auto named = strangers_.named(now_ + 1h);
+  ASSERT_EQ(named.size(), 1U);
+  EXPECT_NE(named[0].find("`x`, cannot prove that it is agent-0"), std::string::npos);
+}
+
 TEST_F(StrangersAccount, IsShortHoweverManyCome) {
   for (int i = 0; i < 1000; ++i) {
     GuidPrefix who{};
