@@ -26,7 +26,7 @@ void Strangers::seen(const GuidPrefix& who, const std::string& name, Clock::time
   }
   Unproved& stranger = unproved_[who];
   stranger = {.name = fit(name), .since = now, .failed = stranger.failed, .named = stranger.named};
-  if (stranger.failed || roster_.number_of(who) < 0) {
+  if (roster_.number_of(who) < 0) {
     this->name(who, stranger);
   }
 }
@@ -41,11 +41,9 @@ void Strangers::proved(const GuidPrefix& who) {
 
 void Strangers::failed(const GuidPrefix& who, Clock::time_point now) {
   const std::lock_guard lock(mutex_);
-  const auto [stranger, is_new] = unproved_.try_emplace(who, Unproved{.since = now});
-  stranger->second.failed = true;
-  if (!is_new) {
-    name(who, stranger->second);
-  }
+  Unproved& stranger = unproved_.try_emplace(who, Unproved{.since = now}).first->second;
+  stranger.failed = true;
+  name(who, stranger);
 }
 
 void Strangers::left(const GuidPrefix& who) {
@@ -76,7 +74,8 @@ void Strangers::name(const GuidPrefix& who, Unproved& stranger) {
     return;
   }
   const int number = roster_.number_of(who);
-  found_.push_back("participant " + text_of(who) + ", which calls itself `" + stranger.name + "`, " +
+  found_.push_back("participant " + text_of(who) +
+                   (stranger.name.empty() ? " " : ", which calls itself `" + stranger.name + "`, ") +
                    (number < 0        ? "has no certificate of this run"
                     : stranger.failed ? "cannot prove that it is " + name_of(number)
                                       : "has not proved that it is " + name_of(number)));

@@ -27,7 +27,8 @@ class Strangers {
   void seen(const GuidPrefix& who, const std::string& name, Clock::time_point now = Clock::now());
   /// It has proved that its certificate and its grant are genuine.
   void proved(const GuidPrefix& who);
-  /// It has tried and failed. Who proves itself, or fails, may be seen before or after.
+  /// It has tried and failed. Fast DDS 3 tells first who proves itself, and does not say what the others call
+  /// themselves.
   void failed(const GuidPrefix& who, Clock::time_point now = Clock::now());
   /// It is gone.
   void left(const GuidPrefix& who);
