@@ -130,7 +130,7 @@ bool DdsPlayers::begins_in_domain() {
 }
 
 std::string DdsPlayers::host_of(int region) const {
-  return "agent-" + std::to_string(region / run_.regions_per_process);
+  return name_of(BusAddress::first_agent + region / run_.regions_per_process);
 }
 
 template <class Message>

@@ -53,8 +53,8 @@ struct DdsRun {
 
 /// The others as processes on the bus: starts them, waits until all are there, and ends them when destroyed. One that
 /// a signal from outside ends meanwhile is started again and waited for. An agent whose host is gone goes on on another
-/// one, from all that it was told before. What strangers say on the bus is refused and
-/// counted as an incident. Made before anything else of this process touches DDS.
+/// one, from all that it was told before. What strangers say on the bus is refused and counted as an incident. Made
+/// before anything else of this process touches DDS.
 class DdsPlayers : public Players {
  public:
   /// Throws Error{run_failed} naming who did not come.

@@ -105,8 +105,8 @@ Command on_host(const HostSpec& host, const std::string& script) {
   } else {
     command.insert(command.end(), {"sh", "-c", script});
   }
-  if (command.front() ==
-      "srun") {  // killed with its launcher it would have its step killed, which should end by itself
+  if (command.front() == "srun") {
+    // Killed with its launcher it would have its step killed, which should end by itself.
     command.insert(command.begin(), {"sh", "-c", "\"$@\"; exit $?", "sh"});
   }
   return command;

@@ -170,13 +170,6 @@ std::vector<std::string> references_of(const StudyPage& study) {
   return study.page.title.empty() ? std::vector{study.days.days.front().variant} : std::vector<std::string>{};
 }
 
-template <class T>
-std::vector<T> at_positions(const std::vector<std::size_t>& positions, const std::vector<T>& all) {
-  std::vector<T> chosen;
-  std::transform(positions.begin(), positions.end(), std::back_inserter(chosen), [&](std::size_t i) { return all[i]; });
-  return chosen;
-}
-
 SweepContent sweep_content(const fs::path& folder, const StudyPage& study, std::vector<std::string> against,
                            DayFilter filter) {
   const bool all = is_empty(filter);

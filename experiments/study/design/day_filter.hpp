@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -30,14 +31,18 @@ void expect_names(const std::string& option, const std::vector<std::string>& ask
 template <class Day>
 std::vector<std::size_t> positions_of(const DayFilter& filter, const std::vector<Day>& days);
 
+/// What stands at these positions of `all`.
+template <class Item>
+std::vector<Item> at_positions(const std::vector<std::size_t>& positions, const std::vector<Item>& all) {
+  std::vector<Item> chosen;
+  std::transform(positions.begin(), positions.end(), std::back_inserter(chosen), [&](std::size_t i) { return all[i]; });
+  return chosen;
+}
+
 /// The days that are asked for. Throws as positions_of.
 template <class Day>
 std::vector<Day> filtered(const DayFilter& filter, const std::vector<Day>& days) {
-  std::vector<Day> chosen;
-  for (const std::size_t i : positions_of(filter, days)) {
-    chosen.push_back(days[i]);
-  }
-  return chosen;
+  return at_positions(positions_of(filter, days), days);
 }
 
 }  // namespace evbal

@@ -21,7 +21,6 @@ namespace {
 
 using namespace evbal;
 namespace dds = fast_dds::dds;
-namespace rtps = fast_dds::rtps;
 
 constexpr int ticks_of_a_day = 300;
 
@@ -41,13 +40,9 @@ template <class Message>
 dds::DataWriter* writer(dds::DomainParticipant* participant) {
   const dds::TypeSupport type(new fast_dds::MessageType<Message>(Topic<Message>::type));
   type.register_type(participant);
-  dds::DataWriterQos qos;
-  qos.reliability().kind = dds::RELIABLE_RELIABILITY_QOS;
-  qos.durability().kind = dds::TRANSIENT_LOCAL_DURABILITY_QOS;
-  qos.data_sharing().off();
-  qos.endpoint().history_memory_policy = rtps::DYNAMIC_REUSABLE_MEMORY_MODE;
   auto* topic = participant->create_topic(Topic<Message>::name, type.get_type_name(), dds::TOPIC_QOS_DEFAULT);
-  return participant->create_publisher(dds::PUBLISHER_QOS_DEFAULT)->create_datawriter(topic, qos);
+  return participant->create_publisher(dds::PUBLISHER_QOS_DEFAULT)
+      ->create_datawriter(topic, test::stranger_writer_qos());
 }
 
 template <class Message>

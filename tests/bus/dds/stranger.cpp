@@ -98,11 +98,7 @@ class Stranger {
                                int readers) {
     const dds::TypeSupport support(type);
     support.register_type(participant);
-    dds::DataWriterQos qos;
-    qos.reliability().kind = dds::RELIABLE_RELIABILITY_QOS;
-    qos.durability().kind = dds::TRANSIENT_LOCAL_DURABILITY_QOS;
-    qos.data_sharing().off();
-    qos.endpoint().history_memory_policy = rtps::DYNAMIC_REUSABLE_MEMORY_MODE;
+    const auto qos = test::stranger_writer_qos();
     auto* made =
         participant->create_publisher(dds::PUBLISHER_QOS_DEFAULT)
             ->create_datawriter(participant->create_topic(topic, support.get_type_name(), dds::TOPIC_QOS_DEFAULT), qos);

@@ -26,4 +26,14 @@ inline fast_dds::dds::DomainParticipantQos stranger_qos(int domain, int particip
   return qos;
 }
 
+/// What its writers ask for: to be heard by readers of the run.
+inline fast_dds::dds::DataWriterQos stranger_writer_qos() {
+  fast_dds::dds::DataWriterQos qos;
+  qos.reliability().kind = fast_dds::dds::RELIABLE_RELIABILITY_QOS;
+  qos.durability().kind = fast_dds::dds::TRANSIENT_LOCAL_DURABILITY_QOS;
+  qos.data_sharing().off();
+  qos.endpoint().history_memory_policy = fast_dds::rtps::DYNAMIC_REUSABLE_MEMORY_MODE;
+  return qos;
+}
+
 }  // namespace evbal::test
