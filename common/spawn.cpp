@@ -37,7 +37,20 @@ void arrange_files(const StandardStreams& streams, int failure) {
   closefrom(above + 1);
 }
 
-/// In the new process, where other threads may have held any lock: nothing but system calls.
+/// What this process catches must not reach its handlers in the new one, which still shares its memory; what it ignores
+/// stays ignored.
+void catch_nothing() {
+  for (int number = 1; number < NSIG; ++number) {
+    struct sigaction action {};
+    if (sigaction(number, nullptr, &action) == 0 && action.sa_handler != SIG_IGN) {
+      action.sa_handler = SIG_DFL;
+      sigaction(number, &action, nullptr);
+    }
+  }
+  std::signal(SIGPIPE, SIG_DFL);
+}
+
+/// In the new process, which has the memory of this one until the program starts: nothing but system calls.
 [[noreturn]] void become(char* const* words, char* const* environment, const StandardStreams& streams, int failure,
                          pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -45,10 +58,10 @@ void arrange_files(const StandardStreams& streams, int failure) {
     _exit(EXIT_FAILURE);
   }
   setpgid(0, 0);
+  catch_nothing();
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
-  std::signal(SIGPIPE, SIG_DFL);
   arrange_files(streams, failure);
   execvpe(words[0], words, environment);
   const int error = errno;
@@ -109,11 +122,16 @@ pid_t spawn(const Command& command, const StandardStreams& streams, const std::s
   environment.push_back(nullptr);
   Pipe failure;
   const pid_t parent = getpid();
-  const pid_t id = fork();
+  sigset_t all;
+  sigset_t before;
+  sigfillset(&all);
+  pthread_sigmask(SIG_SETMASK, &all, &before);
+  const pid_t id = vfork();  // to copy the tables of a launcher's memory takes longer than the rest of it
   if (id == 0) {
     become(words.data(), environment.data(), streams, failure.write_end(), parent);
   }
   int error = id < 0 ? errno : 0;
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
   failure.close_write_end();
   if (id > 0 && read(failure.read_end(), &error, sizeof error) > 0) {
     waitpid(id, nullptr, 0);
