@@ -1,5 +1,6 @@
 #include "agents/world/city.hpp"
 #include "agents/world/factors.hpp"
+#include "agents/world/pack_keys.hpp"
 #include "agents/world/regions_file.hpp"
 #include "agents/world/stations_yaml.hpp"
 #include "common/clock.hpp"
