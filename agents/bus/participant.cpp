@@ -2,6 +2,7 @@
 
 #include "agents/bus/bus_listener.hpp"
 #include "agents/bus/fast_dds.hpp"
+#include "agents/bus/inbox.hpp"
 #include "agents/bus/keys.hpp"
 #include "agents/bus/ports.hpp"
 #include "agents/bus/roster.hpp"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -24,6 +26,7 @@ constexpr std::uint32_t packet_bytes = 16 * 1024;    // every process holds some
 constexpr std::uint32_t packet_bytes_apart = 1400;   // one packet of a network, any of which can be lost
 constexpr std::uint32_t heartbeat_ns = 200'000'000;  // on loopback, where samples are lost only if a buffer is full
 constexpr std::uint32_t heartbeat_ns_apart = 10'000'000;
+constexpr std::uint32_t heartbeat_ns_hello = 10'000'000;  // its reader may not have found the writer when it comes
 constexpr std::uint32_t answer_ns_apart = 1'000'000;  // to who says that something is missing, or by whom it is missed
 constexpr std::uint32_t first_announcements = 4;
 constexpr std::uint32_t ns_a_ms = 1'000'000;
@@ -133,17 +136,8 @@ void set_delivery(Qos& qos, bool latest, int depth) {
 }
 
 template <class Message>
-bool speaks_for_itself(const BusAddress& /*address*/, int /*from*/, const Message& /*message*/) {
-  return true;
-}
-
-bool speaks_for_itself(const BusAddress& /*address*/, int from, const Hello& hello) {
-  return hello.name == name_of(from);
-}
-
-template <class Regional>
-bool speaks_for_itself(const BusAddress& address, int from, const std::vector<Regional>& batch) {
-  return std::ranges::all_of(batch, [&](const auto& message) { return address.agent_of(message.region) == from; });
+constexpr std::uint32_t heartbeat_of() {
+  return std::is_same_v<Message, Hello> ? heartbeat_ns_hello : heartbeat_ns;
 }
 
 }  // namespace
@@ -154,6 +148,7 @@ struct Participant::Entities {
   dds::DomainParticipant* participant = nullptr;
   dds::Publisher* publisher = nullptr;
   dds::Subscriber* subscriber = nullptr;
+  std::vector<std::unique_ptr<dds::DataReaderListener>> inboxes;
 
   explicit Entities(const BusAddress& address) : roster(address) {}
   Entities(const Entities&) = delete;
@@ -228,7 +223,7 @@ Writer<Message>::Writer(Participant& participant) : run_(participant.address().r
                                 : dds::ASYNCHRONOUS_PUBLISH_MODE;
   // A sample that is lost takes a heartbeat at its end with it, and one that arrives need not be confirmed at once.
   qos.reliable_writer_qos().disable_heartbeat_piggyback = !participant.address().apart;
-  const Duration_t heartbeat(0, participant.address().apart ? heartbeat_ns_apart : heartbeat_ns);
+  const Duration_t heartbeat(0, participant.address().apart ? heartbeat_ns_apart : heartbeat_of<Message>());
   set_heartbeat_period(qos, heartbeat);
   if (participant.address().apart) {
     set_nack_response_delay(qos, Duration_t(0, answer_ns_apart));
@@ -255,8 +250,7 @@ int Writer<Message>::readers() const {
 }
 
 template <class Message>
-Reader<Message>::Reader(Participant& participant, const RegionRange& regions)
-    : participant_(participant), regions_(regions) {
+Reader<Message>::Reader(Participant& participant, const RegionRange& regions) {
   auto& entities = *participant.entities_;
   dds::DataReaderQos qos = entities.subscriber->get_default_datareader_qos();
   set_delivery(qos, Topic<Message>::latest, kept_samples);
@@ -268,48 +262,27 @@ Reader<Message>::Reader(Participant& participant, const RegionRange& regions)
   qos.resource_limits().max_samples = unread_samples;
   qos.resource_limits().max_instances = 1;
   qos.resource_limits().max_samples_per_instance = unread_samples;
-  reader_ = made(entities.subscriber->create_datareader(entities.topic<Message>(), qos),
-                 std::string("a reader of ") + Topic<Message>::name);
+  auto inbox = std::make_unique<Inbox<Message>>(participant.address(), entities.roster, regions);
+  inbox_ = inbox.get();
+  entities.inboxes.push_back(std::move(inbox));
+  reader_ = made(
+      entities.subscriber->create_datareader(entities.topic<Message>(), qos, inbox_, dds::StatusMask::data_available()),
+      std::string("a reader of ") + Topic<Message>::name);
 }
 
 template <class Message>
-void Reader<Message>::wait(std::chrono::milliseconds at_most) const {
-  reader_->wait_for_unread_message(Duration_t(static_cast<long double>(at_most.count()) / 1000.0L));
+void Reader<Message>::wait(std::chrono::milliseconds at_most, std::size_t messages) const {
+  inbox_->wait(at_most, messages);
 }
 
 template <class Message>
 std::vector<Heard<Message>> Reader<Message>::take() {
-  std::vector<Heard<Message>> heard;
-  Sample<Message> sample;
-  sample.regions = regions_;
-  dds::SampleInfo info;
-  while (succeeded(reader_->take_next_sample(&sample, &info))) {
-    if (!info.valid_data) {
-      continue;
-    }
-    const auto writer = prefix_of(info.sample_identity.writer_guid());
-    const int from = participant_.entities_->roster.number_of(writer);
-    const std::string who = from < 0 ? "participant " + text_of(writer) : name_of(from);
-    const std::string what = std::string(Topic<Message>::name) + " from " + who;
-    const std::string& run = participant_.address().run;
-    if (from < 0 || !Topic<Message>::has_say(from)) {
-      ++refused_[what + ", who has no say there"];
-    } else if (!sample.wrong.empty() && (sample.run.empty() || sample.run == run)) {
-      throw run_failed("a sample of " + what + " is no message: " + sample.wrong);
-    } else if (sample.run != run) {
-      ++refused_[what + ", of another run"];
-    } else if (!speaks_for_itself(participant_.address(), from, sample.message)) {
-      ++refused_[what + ", who speaks for another process"];
-    } else {
-      heard.push_back({from, std::move(sample.message)});
-    }
-  }
-  return heard;
+  return inbox_->take();
 }
 
 template <class Message>
 std::map<std::string, int> Reader<Message>::refused() {
-  return std::exchange(refused_, {});
+  return inbox_->refused();
 }
 
 template <class Message>

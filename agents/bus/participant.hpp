@@ -6,6 +6,7 @@
 #include "agents/protocol/region_range.hpp"
 
 #include <chrono>
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <string>
@@ -77,6 +78,9 @@ struct Heard {
   Message message;  ///< as it was written
 };
 
+template <class Message>
+class Inbox;
+
 /// Believes those who have a say on its topic, by the participant's number, as far as they speak for themselves, and
 /// refuses everything else: an agent has no say for regions that another one hosts.
 template <class Message>
@@ -90,20 +94,18 @@ class Reader {
   /// wrote what is no message.
   std::vector<Heard<Message>> take();
 
-  /// What take() has refused since the last call, in a few words, and how often.
+  /// What was refused since the last call, in a few words, and how often.
   std::map<std::string, int> refused();
 
-  /// Sleeps until there is something to take or the time is up.
-  void wait(std::chrono::milliseconds at_most) const;
+  /// Sleeps until there are so many messages to take, or the time is up.
+  void wait(std::chrono::milliseconds at_most, std::size_t messages = 1) const;
 
   /// Writers that are connected now.
   int writers() const;
 
  private:
-  const Participant& participant_;
-  RegionRange regions_;
+  Inbox<Message>* inbox_;
   eprosima::fastdds::dds::DataReader* reader_;
-  std::map<std::string, int> refused_;
 };
 
 }  // namespace evbal

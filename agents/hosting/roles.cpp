@@ -164,7 +164,8 @@ std::string some_of(const std::set<int>& regions) {
   return "region " + std::to_string(*regions.begin()) + more;
 }
 
-std::vector<Report> reports_of(Reader<std::vector<Report>>& reader, const Tick& tick, std::chrono::seconds patience) {
+std::vector<Report> reports_of(Reader<std::vector<Report>>& reader, const BusAddress& address, const Tick& tick,
+                               std::chrono::seconds patience) {
   std::map<int, Report> found;
   std::set<int> missing(tick.due.begin(), tick.due.end());
   for (const int region : tick.unheard) {
@@ -180,8 +181,14 @@ std::vector<Report> reports_of(Reader<std::vector<Report>>& reader, const Tick& 
     }
     return missing.empty();
   };
-  const bool came =
-      process_legs().time("wait for the reports", [&] { return comes(patience, come, [&] { reader.wait(nap); }); });
+  const auto sleep = [&] {
+    std::set<int> agents;
+    for (const int region : missing) {
+      agents.insert(address.agent_of(region));
+    }
+    reader.wait(nap, agents.size());
+  };
+  const bool came = process_legs().time("wait for the reports", [&] { return comes(patience, come, sleep); });
   if (!came) {
     throw none("report of tick " + std::to_string(tick.tick) + " from " + some_of(missing), patience);
   }
@@ -257,7 +264,7 @@ void serve_coordinator(Participant& participant, const ProcessOptions& options, 
   for (;;) {
     last.tick = next_tick(ticks, last.tick.tick, options.patience, attended);
     if (last.tick.plan_due) {
-      last.reports = reports_of(reports, last.tick, options.patience);
+      last.reports = reports_of(reports, participant.address(), last.tick, options.patience);
       last.plan = legs.time("plan", [&] { return with_origin([&] { return planner.plan(last.tick, last.reports); }); });
       legs.time("journal", [&] {
         last.memory = planner.memory();

@@ -135,7 +135,7 @@ std::string DdsPlayers::host_of(int region) const {
 
 template <class Message>
 void DdsPlayers::await(const std::string& what, const Reader<Message>& reader, const std::function<bool()>& come,
-                       const std::function<std::set<std::string>()>& missing) {
+                       const std::function<std::set<std::string>()>& missing, std::size_t but) {
   const auto deadline = Clock::now() + run_.patience;
   while (!come()) {
     const auto now = Clock::now();
@@ -149,7 +149,9 @@ void DdsPlayers::await(const std::string& what, const Reader<Message>& reader, c
       look_after_processes();
       looked_ = now;
     }
-    reader.wait(glance);
+    if (const std::size_t awaited = missing().size(); awaited > but) {
+      reader.wait(glance, awaited - but);
+    }
   }
 }
 
@@ -159,7 +161,8 @@ void DdsPlayers::await_hellos(std::size_t but) {
     take_hellos();
     return absent_.size() <= but;
   };
-  await("hello", topics_->hello, come, [&] { return absent_; });
+  await(
+      "hello", topics_->hello, come, [&] { return absent_; }, but);
 }
 
 void DdsPlayers::look_after_processes() {

@@ -106,10 +106,11 @@ class DdsPlayers : public Players {
   void take_hellos();
   void say(const Tick& tick);
 
-  /// Waits until `come`, which takes from `reader`, is true; else names who is `missing`.
+  /// Waits until `come`, which takes from `reader` and needs a message of all who are `missing`, `but` so many, is
+  /// true; else names them.
   template <class Message>
   void await(const std::string& what, const Reader<Message>& reader, const std::function<bool()>& come,
-             const std::function<std::set<std::string>()>& missing);
+             const std::function<std::set<std::string>()>& missing, std::size_t but = 0);
 
   DdsRun run_;
   EmptyFolder journals_;
