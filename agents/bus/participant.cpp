@@ -22,11 +22,9 @@ namespace {
 using namespace fast_dds;
 
 constexpr std::uint32_t socket_buffer = 4 * 1024 * 1024;
-constexpr std::uint32_t packet_bytes = 16 * 1024;    // every process holds some buffers of so many
-constexpr std::uint32_t packet_bytes_apart = 1400;   // one packet of a network, any of which can be lost
-constexpr std::uint32_t heartbeat_ns = 200'000'000;  // on loopback, where samples are lost only if a buffer is full
-constexpr std::uint32_t heartbeat_ns_apart = 10'000'000;
-constexpr std::uint32_t heartbeat_ns_hello = 10'000'000;  // its reader may not have found the writer when it comes
+constexpr std::uint32_t packet_bytes = 16 * 1024;     // every process holds some buffers of so many
+constexpr std::uint32_t packet_bytes_apart = 1400;    // one packet of a network, any of which can be lost
+constexpr int most_in_buffers = 128;                  // participants whose samples all fit into any socket's buffer
 constexpr std::uint32_t answer_ns_apart = 1'000'000;  // to who says that something is missing, or by whom it is missed
 constexpr std::uint32_t first_announcements = 4;
 constexpr std::uint32_t ns_a_ms = 1'000'000;
@@ -135,9 +133,14 @@ void set_delivery(Qos& qos, bool latest, int depth) {
   qos.resource_limits().allocated_samples = 1;
 }
 
+/// Between two times that a writer asks who has missed something.
 template <class Message>
-constexpr std::uint32_t heartbeat_of() {
-  return std::is_same_v<Message, Hello> ? heartbeat_ns_hello : heartbeat_ns;
+Duration_t heartbeat_of(const BusAddress& address) {
+  if (address.apart || std::is_same_v<Message, Hello>) {  // a hello may come before its reader has found the writer
+    return {0, 10 * ns_a_ms};
+  }
+  const bool may_be_lost = address.launcher != BusAddress{}.launcher || address.participants > most_in_buffers;
+  return may_be_lost ? Duration_t{0, 200 * ns_a_ms} : Duration_t{1, 0};
 }
 
 }  // namespace
@@ -223,12 +226,12 @@ Writer<Message>::Writer(Participant& participant) : run_(participant.address().r
                                 : dds::ASYNCHRONOUS_PUBLISH_MODE;
   // A sample that is lost takes a heartbeat at its end with it, and one that arrives need not be confirmed at once.
   qos.reliable_writer_qos().disable_heartbeat_piggyback = !participant.address().apart;
-  const Duration_t heartbeat(0, participant.address().apart ? heartbeat_ns_apart : heartbeat_of<Message>());
-  set_heartbeat_period(qos, heartbeat);
+  set_heartbeat_period(qos, heartbeat_of<Message>(participant.address()));
   if (participant.address().apart) {
     set_nack_response_delay(qos, Duration_t(0, answer_ns_apart));
-  } else {
-    set_nack_suppression(qos, heartbeat);  // without it each write wakes a thread that finds nothing to do
+  } else if (std::is_same_v<Message, std::vector<Departures>>) {
+    // Without it each write wakes a thread that finds nothing to do, but who returns is told at once what it asks for.
+    set_nack_suppression(qos, Duration_t(0, 200 * ns_a_ms));
   }
   writer_ = made(entities.publisher->create_datawriter(entities.topic<Message>(), qos),
                  std::string("a writer of ") + Topic<Message>::name);
@@ -240,6 +243,11 @@ void Writer<Message>::write(const Message& message) {
   if (!succeeded(writer_->write(&sample))) {
     throw run_failed(std::string("Fast DDS refused a sample of ") + Topic<Message>::name);
   }
+}
+
+template <class Message>
+void Writer<Message>::wait_until_heard(std::chrono::milliseconds at_most) {
+  writer_->wait_for_acknowledgments(Duration_t(static_cast<long double>(at_most.count()) / 1000.0L));
 }
 
 template <class Message>

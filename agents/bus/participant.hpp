@@ -63,6 +63,9 @@ class Writer {
   /// Hands the message to the middleware, which delivers it reliably. Throws Error{run_failed} if it refuses.
   void write(const Message& message);
 
+  /// Sleeps until the readers that are connected have confirmed all that was written, or the time is up.
+  void wait_until_heard(std::chrono::milliseconds at_most);
+
   /// Readers that are connected now.
   int readers() const;
 

@@ -103,6 +103,7 @@ void say_hello(Participant& participant, const ProcessOptions& options, Connecte
     throw none("conductor on the bus", options.patience);
   }
   hello.write({.name = options.name, .process_id = getpid()});
+  hello.wait_until_heard(nap);  // by then the conductor has found all other writers, too, and misses nothing they write
   log_line(LogLevel::info, "hears all whom it must hear");
 }
 
