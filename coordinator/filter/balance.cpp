@@ -55,7 +55,7 @@ StockChange stock_change(const RegionWindow& window, const PickUps& picked_up) {
   return out;
 }
 
-double favours_passengers(const Excess& excess, double demand, double forecast, double variance) {
+double favours_passengers(const Excess& excess, double off, double demand, double forecast, double variance) {
   if (surprise(excess.cars, excess.expected, excess.slack) < usual_surprise) {
     return 0.0;
   }
@@ -64,7 +64,10 @@ double favours_passengers(const Excess& excess, double demand, double forecast, 
   const double spread = 2.0 * (variance + error * error + 1.0);
   const double said = (demand - forecast) * (demand - forecast) / spread;
   const double implied = (appeared - forecast) * (appeared - forecast) / spread;
-  return appeared < -1.0 ? -most_in_favour : std::clamp(said - implied, -most_in_favour, most_in_favour);
+  const double by_forecast =
+      appeared < -1.0 ? -most_in_favour : std::clamp(said - implied, -most_in_favour, most_in_favour);
+  const double jump = excess.cars - excess.expected;
+  return by_forecast + 0.5 * std::log((off * off + 1.0) / (jump * jump + 1.0));
 }
 
 Excess excess_of(const RegionCounts& before, const RegionWindow& window, const RegionCounts& reported, double demand) {

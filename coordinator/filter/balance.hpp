@@ -58,7 +58,8 @@ StockChange stock_change(const RegionWindow& window, const PickUps& picked_up);
 
 /// How much likelier it is, as a logarithm, that demand is wrong by an excess than that cars are, if so many passengers
 /// are said to have appeared and the forecast has this mean and variance: by the passengers who then really appeared.
-double favours_passengers(const Excess& excess, double demand, double forecast, double variance);
+/// And by what cars would be off in all with this excess: wrong passengers add up, while wrong cars come back.
+double favours_passengers(const Excess& excess, double off, double demand, double forecast, double variance);
 
 /// Cars too many by a report of vacant and low-battery cars, of passengers who wait and who appeared.
 Excess excess_of(const RegionCounts& before, const RegionWindow& window, const RegionCounts& reported, double demand);

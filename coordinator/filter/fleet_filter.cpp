@@ -139,13 +139,14 @@ void FleetFilter::weigh(int region, News& news, const WindowOutlook& outlook) {
   const auto demand = believed(region, news, ReportField::demand);
   const double said = std::clamp(news.report->demand, 0, most_passengers);
   Excess excess = excess_of(known.counts, news.window, cars_of(*news.report, *waiting), said);
+  const double off = excess.cars - excess.expected + (demand ? 0.0 : known.doubt.cars);
   excess.passengers =
-      favours_passengers(excess, said, outlook.demand(region), outlook.demand_dispersion * outlook.demand(region));
+      favours_passengers(excess, off, said, outlook.demand(region), outlook.demand_dispersion * outlook.demand(region));
   if (demand) {
     news.excess = excess;
   } else {
     known.doubt.passengers += excess.passengers;
-    known.doubt.cars += excess.cars - excess.expected;
+    known.doubt.cars = off;
     excess.cars = std::max(0, static_cast<int>(excess.cars - said));
   }
   known.evidence.add(excess);
@@ -211,8 +212,10 @@ StockChange FleetFilter::change_of(int region, const News& news, const WindowOut
   const double low = reported.low_battery - before.low_battery;
   const bool steady = surprised < surprise_of_steady && !rests(ReportField::vacant, vacant, CarKind::vacant) &&
                       !rests(ReportField::low_battery, low, CarKind::low_battery);
-  known.doubt.passengers +=
-      favours_passengers(excess, *demand, outlook.demand(region), outlook.demand_dispersion * outlook.demand(region));
+  const double off = reported.vacant + reported.low_battery + static_cast<double>(news.plugged_since.size()) -
+                     total(known.stock->counts() + now.change);
+  known.doubt.passengers += favours_passengers(excess, off, *demand, outlook.demand(region),
+                                               outlook.demand_dispersion * outlook.demand(region));
   known.doubt.steady = steady ? known.doubt.steady + 1 : 0;
   known.doubt.jumped = known.doubt.jumped || surprised > surprise_of_jump;
   if (known.doubt.steady >= steady_enough) {

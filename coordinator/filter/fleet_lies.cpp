@@ -1,5 +1,6 @@
 #include "coordinator/filter/count_law.hpp"
 #include "coordinator/filter/fleet_filter.hpp"
+#include "coordinator/filter/innocents.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,15 +14,15 @@ namespace {
 constexpr double suspicion_enough = 3.0;    ///< of one region before all others: 20 to 1
 constexpr double most_suspicion = 6.0;      ///< by one report
 constexpr double certain_deviations = 2.0;  ///< of the fleet's balance, beyond which it says that somebody lies
-constexpr double least_certain = 1.4;       ///< cars, likewise
 constexpr double least_of_city = 0.7;       ///< of that balance
 constexpr double most_by_city = 6.0;        ///< that it says of who is wrong
 // ln of how much likelier it is that an accusation was of the wrong kind, for it to be turned, and at most at first.
 constexpr double certain_of_passengers = 4.0;
 constexpr double most_doubt = 3.0;
-constexpr double first_doubt = 0.3;   ///< variance of a count that was just found to be wrong, beside the evidence's
-constexpr double much_off = 3.0;      ///< times that, that numbers are off by in all for this to be no chance
-constexpr double nearly_right = 0.6;  ///< cars that the city may have too many if a number is right after all
+constexpr double first_doubt = 0.3;  ///< variance of a count that was just found to be wrong, beside the evidence's
+// -ln of the odds that a suspect tells the truth: of one whose cars have just changed as they should, and of others.
+constexpr double price_of_steady = -1.0;
+constexpr double price_of_others = 2.0;
 
 /// By how much likelier a count becomes, as a logarithm, if `gained` of it are a lie.
 double likelier(int count, int gained, double expected, int slack) {
@@ -67,16 +68,10 @@ bool FleetFilter::acquit(const std::vector<News>& news, double gained) {
   return !innocent.empty();
 }
 
-/// The one region with which believed the city's cars are the fleet, if they are not by what was estimated. Or all
-/// those together that are off by constants, if the city's cars are the fleet with all of them believed, which true
-/// lies would hardly add up to.
+/// Those who tell the truth, as is likeliest of all suspects together: an accusation that was wrong, or is no longer
+/// true, leaves the city with cars too many or too few.
 std::vector<int> FleetFilter::acquitted(const std::vector<News>& news) const {
-  const Estimate now = surplus(news);
-  std::vector<int> alone;
-  std::vector<int> steady;
-  double all = now.value;
-  double off = 0.0;
-  double all_variance = now.deviation * now.deviation;
+  std::vector<Suspect> suspects;
   for (std::size_t i = 0; i < news.size(); ++i) {
     const Region& known = regions_[i];
     const Report* said = news[i].report;
@@ -84,27 +79,13 @@ std::vector<int> FleetFilter::acquitted(const std::vector<News>& news) const {
         std::max(said->vacant, said->low_battery) > model_.vehicles) {
       continue;
     }
-    const double more = said->vacant + said->low_battery + static_cast<double>(news[i].plugged_since.size()) -
-                        total(known.stock->counts());
-    const double own = total_variance(known.stock->covariance());
-    const double others = std::sqrt(std::max(0.0, now.deviation * now.deviation - own));
-    if (std::abs(now.value + more) < nearly_right + others) {
-      alone.push_back(static_cast<int>(i));
-    }
-    if (known.doubt.steady > 0 && !known.doubt.jumped) {
-      steady.push_back(static_cast<int>(i));
-      all += more;
-      off += std::abs(more);
-      all_variance -= own;
-    }
+    const double cars = said->vacant + said->low_battery + static_cast<double>(news[i].plugged_since.size());
+    suspects.push_back({static_cast<int>(i), cars - total(known.stock->counts()),
+                        total_variance(known.stock->covariance()),
+                        known.doubt.steady > 0 ? price_of_steady : price_of_others});
   }
-  const bool wrong = std::abs(now.value) > std::max(least_certain, certain_deviations * now.deviation);
-  if (wrong && alone.size() == 1) {
-    return alone;
-  }
-  const double allowed = nearly_right + std::sqrt(std::max(0.0, all_variance));
-  const bool together = steady.size() > 1 && std::abs(all) < allowed && off > much_off * allowed;
-  return together ? steady : std::vector<int>{};
+  const Estimate now = surplus(news);
+  return likeliest_innocents(now.value, now.deviation * now.deviation, suspects);
 }
 
 /// Turns an accusation of passengers into one of cars, or the reverse, if what came since says so.

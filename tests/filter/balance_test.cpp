@@ -39,13 +39,23 @@ TEST(Balance, AsksTheForecastWhetherPassengersAreWrong) {
     Excess excess;
     excess.cars = cars;
     excess.expected = 0.2;
-    return favours_passengers(excess, demand, 3.0, 4.0);
+    return favours_passengers(excess, cars - 0.2, demand, 3.0, 4.0);
   };
   EXPECT_EQ(favours(0, 3.0), 0.0);
   EXPECT_GT(favours(8, 11.0), 2.0) << "three really appeared, as usual";
   EXPECT_LT(favours(8, 3.0), -2.0) << "less than none cannot have appeared";
   EXPECT_LT(favours(-8, 3.0), -2.0) << "eleven are many";
   EXPECT_GT(favours(-4, 0.0), 0.5) << "four are more usual than none";
+}
+
+TEST(Balance, TakesWhatAddsUpForPassengersAndWhatComesBackForCars) {
+  const auto favours = [](double off) {
+    Excess excess;
+    excess.cars = 6;
+    return favours_passengers(excess, off, 9.0, 6.0, 9.0);
+  };
+  EXPECT_GT(favours(12.0), favours(6.0) + 0.5) << "the second excess of six";
+  EXPECT_LT(favours(0.0), favours(6.0) - 1.0) << "cars were six too few before";
 }
 
 TEST(Balance, ConservesCarsInItsPrediction) {

@@ -121,12 +121,21 @@ TEST_F(FleetFilterTest, AccusesWaitingBesideVacantCars) {
 
 TEST_F(FleetFilterTest, BelievesAFieldAgainOnceItHasAgreedThreeTimes) {
   auto reports = truth();
-  reports[0]->vacant += 6;
+  reports[0]->demand += 7;
   hear(2, reports, 3);
   const auto quiet = [&] { return std::vector<std::optional<Report>>{said(0, 8, 0), said(1, 9, 0), said(2, 10, 0)}; };
   EXPECT_EQ(hear(4, quiet(), 3).flags.size(), 1U);
   EXPECT_EQ(hear(6, quiet(), 3).flags.size(), 1U);
   EXPECT_EQ(hear(8, quiet(), 3).flags, Flags{});
+}
+
+TEST_F(FleetFilterTest, BelievesCarsAgainOnceTheyChangeAsTheyShouldAndTheCityIsTheFleet) {
+  auto reports = truth();
+  reports[0]->vacant += 6;
+  hear(2, reports, 3);
+  const auto quiet = [&] { return std::vector<std::optional<Report>>{said(0, 8, 0), said(1, 9, 0), said(2, 10, 0)}; };
+  EXPECT_EQ(hear(4, quiet(), 3).flags.size(), 1U) << "it has just changed by six";
+  EXPECT_EQ(hear(6, quiet(), 3).flags, Flags{});
   EXPECT_EQ(filter_.variance(), Eigen::VectorXd::Zero(3));
 }
 
@@ -163,6 +172,25 @@ TEST_F(FleetFilterTest, FollowsCarsThatAreOffByAConstant) {
     EXPECT_NEAR(result.reports[0].vacant, 10 - k, 1) << k;
   }
   EXPECT_LT(filter_.variance()(0), 2.0);
+}
+
+TEST_F(FleetFilterTest, BelievesAllWhoTellTheTruthAgainOnceTheCityIsTheFleetWithThem) {
+  // In each of two regions a passenger is picked up between reports; all cars come back to region 0. While both lie by
+  // numbers that change, nobody knows how the two share what came back.
+  begin({said(0, 15, 0), said(1, 15, 0), said(2, 0, 0)});
+  short_trips_ = {{0, 0, 0.5}, {1, 1, 0.5}};
+  const int lies[] = {6, -5, 7, -6, 5, -4, 7, -3, 6, -4};
+  int tick = 0;
+  int gone = 0;
+  for (const int lie : lies) {
+    hear(tick += 2, {said(0, 15 + lie, 1), said(1, 15 - ++gone - lie, 1), said(2, 0, 0)}, gone);
+  }
+  EXPECT_EQ(filter_.variance()(2), 0.0);
+  EXPECT_GT(filter_.variance()(0), 0.5) << "is estimated";
+  for (int k = 0; k < 3; ++k) {
+    hear(tick += 2, {said(0, 15, 1), said(1, 15 - ++gone, 1), said(2, 0, 0)}, gone);
+  }
+  EXPECT_EQ(filter_.variance(), Eigen::VectorXd::Zero(3));
 }
 
 }  // namespace
