@@ -229,7 +229,7 @@ Writer<Message>::Writer(Participant& participant) : run_(participant.address().r
   set_heartbeat_period(qos, heartbeat_of<Message>(participant.address()));
   if (participant.address().apart) {
     set_nack_response_delay(qos, Duration_t(0, answer_ns_apart));
-  } else if (std::is_same_v<Message, std::vector<Departures>>) {
+  } else if (!std::is_same_v<Message, Hello>) {
     // Without it each write wakes a thread that finds nothing to do, but who returns is told at once what it asks for.
     set_nack_suppression(qos, Duration_t(0, 200 * ns_a_ms));
   }
