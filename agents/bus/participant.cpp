@@ -230,7 +230,7 @@ Writer<Message>::Writer(Participant& participant) : run_(participant.address().r
   if (participant.address().apart) {
     set_nack_response_delay(qos, Duration_t(0, answer_ns_apart));
   } else if (!std::is_same_v<Message, Hello>) {
-    // Without it each write wakes a thread that finds nothing to do, but who returns is told at once what it asks for.
+    // Without it each write wakes a thread that finds nothing to do; a hello that came too early is repeated at once.
     set_nack_suppression(qos, Duration_t(0, 200 * ns_a_ms));
   }
   writer_ = made(entities.publisher->create_datawriter(entities.topic<Message>(), qos),
