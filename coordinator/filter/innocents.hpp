@@ -6,7 +6,7 @@ namespace evbal {
 
 /// A region whose cars are estimated, because it is taken to lie about them.
 struct Suspect {
-  int region = 0;
+  int region = 0;         ///< its number
   double more = 0.0;      ///< cars that it says to have beyond its estimate
   double variance = 0.0;  ///< of the estimate
   double price = 0.0;     ///< -ln of the odds that it tells the truth, whatever the city has
