@@ -20,6 +20,8 @@ namespace evbal {
 template <class Message>
 class Inbox : public fast_dds::dds::DataReaderListener {
  public:
+  static constexpr int most_unread = 1 << 14;  ///< messages that are kept until they are taken
+
   /// Of a reader at `address` that keeps what concerns `regions`. Address and roster must outlive this.
   Inbox(const BusAddress& address, const Roster& roster, const RegionRange& regions)
       : address_(address), roster_(roster), regions_(regions) {}
@@ -59,8 +61,6 @@ class Inbox : public fast_dds::dds::DataReaderListener {
   }
 
  private:
-  static constexpr std::size_t most_unread = 1 << 14;
-
   bool has_come() const { return heard_.size() >= awaited_ || !wrong_.empty(); }
 
   void put(const GuidPrefix& writer, Sample<Message>& sample) {
@@ -75,7 +75,7 @@ class Inbox : public fast_dds::dds::DataReaderListener {
       refuse(writer, "of another run");
     } else if (!speaks_for_itself(from, sample.message)) {
       refuse(writer, "who speaks for another process");
-    } else if (heard_.size() == most_unread) {
+    } else if (heard_.size() == std::size_t{most_unread}) {
       refuse(writer, "who says more than is read");
     } else {
       heard_.push_back({from, std::move(sample.message)});

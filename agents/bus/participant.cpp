@@ -31,8 +31,7 @@ constexpr std::uint32_t ns_a_ms = 1'000'000;
 constexpr int first_announcements_ms = 250;
 constexpr int announcements_ms = 1000;
 constexpr int announcements_ms_a_head = 12;
-constexpr int kept_samples = 16;         // of reports and departures, for readers that are a little behind
-constexpr int unread_samples = 1 << 14;  // that a reader of many writers holds at most
+constexpr int kept_samples = 16;  // of reports and departures, for readers that are a little behind
 
 template <class Entity>
 Entity* made(Entity* entity, const std::string& what) {
@@ -267,9 +266,9 @@ Reader<Message>::Reader(Participant& participant, const RegionRange& regions) {
   }
   // Also of a topic of one writer: a stranger's samples would push out the writer's own.
   qos.history().kind = dds::KEEP_ALL_HISTORY_QOS;
-  qos.resource_limits().max_samples = unread_samples;
+  qos.resource_limits().max_samples = Inbox<Message>::most_unread;
   qos.resource_limits().max_instances = 1;
-  qos.resource_limits().max_samples_per_instance = unread_samples;
+  qos.resource_limits().max_samples_per_instance = Inbox<Message>::most_unread;
   auto inbox = std::make_unique<Inbox<Message>>(participant.address(), entities.roster, regions);
   inbox_ = inbox.get();
   entities.inboxes.push_back(std::move(inbox));

@@ -212,8 +212,7 @@ StockChange FleetFilter::change_of(int region, const News& news, const WindowOut
   const double low = reported.low_battery - before.low_battery;
   const bool steady = surprised < surprise_of_steady && !rests(ReportField::vacant, vacant, CarKind::vacant) &&
                       !rests(ReportField::low_battery, low, CarKind::low_battery);
-  const double off = reported.vacant + reported.low_battery + static_cast<double>(news.plugged_since.size()) -
-                     total(known.stock->counts() + now.change);
+  const double off = news.cars() - total(known.stock->counts() + now.change);
   known.doubt.passengers += favours_passengers(excess, off, *demand, outlook.demand(region),
                                                outlook.demand_dispersion * outlook.demand(region));
   known.doubt.steady = steady ? known.doubt.steady + 1 : 0;
@@ -257,7 +256,7 @@ FleetFilter::Estimate FleetFilter::surplus(const std::vector<News>& news) const 
       cars += total(known.stock->counts());
       variance += total_variance(known.stock->covariance());
     } else {
-      cars += news[i].report->vacant + news[i].report->low_battery + static_cast<double>(news[i].plugged_since.size());
+      cars += news[i].cars();
     }
   }
   return {cars, std::sqrt(variance)};

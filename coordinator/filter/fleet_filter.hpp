@@ -120,6 +120,9 @@ class FleetFilter {
     RegionWindow window;             ///< since the last plan
     std::optional<Excess> excess;    ///< if all that it takes is believed
     bool weighed = false;            ///< whether there is evidence of it: its cars and who waits are believed
+
+    /// Cars that its report, which there is, says to be there, plugged ones by their sessions.
+    double cars() const { return report->vacant + report->low_battery + static_cast<double>(plugged_since.size()); }
   };
 
   /// A field that lies, and if it is a number of cars, by how many.

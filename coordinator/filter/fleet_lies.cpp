@@ -79,8 +79,7 @@ std::vector<int> FleetFilter::acquitted(const std::vector<News>& news) const {
         std::max(said->vacant, said->low_battery) > model_.vehicles) {
       continue;
     }
-    const double cars = said->vacant + said->low_battery + static_cast<double>(news[i].plugged_since.size());
-    suspects.push_back({static_cast<int>(i), cars - total(known.stock->counts()),
+    suspects.push_back({static_cast<int>(i), news[i].cars() - total(known.stock->counts()),
                         total_variance(known.stock->covariance()),
                         known.doubt.steady > 0 ? price_of_steady : price_of_others});
   }
