@@ -12,8 +12,10 @@ constexpr int most_passengers = 1'000'000;  ///< that a report can speak of
 // Of the cars that came free, by report, in the share that comes out low.
 constexpr double kept_in_city = 0.6;
 constexpr double kept_in_region = 0.9;
-constexpr double unknown = 1e4;          ///< variance of a count of which nothing is known
-constexpr double least_deviation = 0.7;  ///< of the fleet's balance
+constexpr double kept_of_trips = 0.9;       ///< likewise of short trips, in their rate
+constexpr double surprise_of_a_lie = 10.0;  ///< from which on a count of them is left out of it
+constexpr double unknown = 1e4;             ///< variance of a count of which nothing is known
+constexpr double least_deviation = 0.7;     ///< of the fleet's balance
 // Surprise up to which numbers of cars change as they should, from which on they do not, for how many reports in a row
 // they have to before they are followed, and with what variance.
 constexpr double surprise_of_steady = 3.0;
@@ -225,20 +227,29 @@ StockChange FleetFilter::change_of(int region, const News& news, const WindowOut
   return now;
 }
 
-/// The share of cars that come out low, from the regions whose reports tell it.
+/// The share of cars that come out low, and how many short trips end, from the regions whose reports tell it.
 void FleetFilter::learn(const std::vector<News>& news) {
-  double all_free = 0.0;
-  double all_low = 0.0;
+  double free = 0.0;
+  double low = 0.0;
+  double usual_drop_offs = 0.0;
+  double drop_offs = 0.0;
   for (std::size_t i = 0; i < news.size(); ++i) {
-    if (news[i].excess && believes_cars(static_cast<int>(i), news[i])) {
-      const double free = come_free(news[i].window);
-      const double low = std::clamp(static_cast<double>(news[i].excess->low), 0.0, free);
-      regions_[i].low_share.add(free, low, kept_in_region);
-      all_free += free;
-      all_low += low;
+    const auto& excess = news[i].excess;
+    if (!excess || !believes_cars(static_cast<int>(i), news[i])) {
+      continue;
+    }
+    const double free_here = come_free(news[i].window);
+    const double low_here = std::clamp(static_cast<double>(excess->low), 0.0, free_here);
+    regions_[i].low_share.add(free_here, low_here, kept_in_region);
+    free += free_here;
+    low += low_here;
+    if (excess->slack == 0 && surprise(excess->cars, excess->expected, 0) < surprise_of_a_lie) {
+      usual_drop_offs += news[i].usual_drop_offs;
+      drop_offs += excess->cars;
     }
   }
-  low_share_.add(all_free, all_low, kept_in_city);
+  low_share_.add(free, low, kept_in_city);
+  trip_rate_.add(usual_drop_offs, drop_offs, kept_of_trips);
 }
 
 /// Cars too many by all that is believed and estimated, against the fleet.

@@ -5,8 +5,8 @@
 #include "common/eigen.hpp"
 #include "coordinator/filter/balance.hpp"
 #include "coordinator/filter/lie.hpp"
-#include "coordinator/filter/low_share.hpp"
 #include "coordinator/filter/moves_made.hpp"
+#include "coordinator/filter/running_ratio.hpp"
 
 #include <array>
 #include <deque>
@@ -102,7 +102,7 @@ class FleetFilter {
     std::optional<RegionCounts> heard;                     ///< its cars as the last report said, true or not
     std::array<std::optional<Lie>, measured.size()> lies;  ///< by `measured`
     std::deque<Fields> past;                               ///< estimates at the last reports
-    LowShare low_share;                                    ///< of the cars that come free here
+    RunningRatio low_share;                                ///< that comes out low of the cars that come free here
     Report last;                                           ///< as given out
     int broken = 0;                                        ///< vehicles, as far as it is said
   };
@@ -118,6 +118,7 @@ class FleetFilter {
     int points = 0;                  ///< that work, as far as it is said
     int broken = 0;                  ///< vehicles, likewise
     RegionWindow window;             ///< since the last plan
+    double usual_drop_offs = 0.0;    ///< of short trips in it, by the model
     std::optional<Excess> excess;    ///< if all that it takes is believed
     bool weighed = false;            ///< whether there is evidence of it: its cars and who waits are believed
 
@@ -184,7 +185,8 @@ class FleetFilter {
   FilterModel model_;
   std::vector<Region> regions_;
   PlanMade last_;
-  LowShare low_share_;          ///< of the cars that come free
+  RunningRatio low_share_;      ///< that comes out low of the cars that come free
+  RunningRatio trip_rate_;      ///< of short trips that end, to those that are usual
   std::vector<int> unplanned_;  ///< regions that did not hear of it
   double unexplained_ = 0.0;    ///< cars that the city had too many after the last reports
   bool begun_ = false;

@@ -12,7 +12,9 @@ namespace {
 // many those of the whole city count in a region: regions differ less than their few cars could tell.
 constexpr double first_low_share = 0.05;
 constexpr double cars_of_the_first = 20.0;
-constexpr double cars_of_the_city = 60.0;
+constexpr double cars_of_the_city = 150.0;
+// For how many short trips the model's shares count in the city's rate: days and hours differ by a tenth and more.
+constexpr double trips_of_the_model = 20.0;
 
 int announced(const std::vector<Effect>& effects, int region, EffectType type) {
   int sum = 0;
@@ -29,7 +31,7 @@ std::vector<FleetFilter::News> FleetFilter::news_of(const Tick& tick, int minute
                                                     const std::vector<std::optional<Report>>& reports,
                                                     const std::vector<Move>& moves, const WindowOutlook& outlook) {
   std::vector<News> news(regions_.size());
-  const double in_city = low_share_.share(first_low_share, cars_of_the_first);
+  const double in_city = low_share_.ratio(first_low_share, cars_of_the_first);
   const auto bound = bound_for(tick, static_cast<int>(regions_.size()));
   for (int i = 0; i < static_cast<int>(news.size()); ++i) {
     News& here = news[static_cast<std::size_t>(i)];
@@ -37,7 +39,7 @@ std::vector<FleetFilter::News> FleetFilter::news_of(const Tick& tick, int minute
     here.present = std::ranges::find(tick.due, i) != tick.due.end() || here.report != nullptr;
     here.bound = bound[static_cast<std::size_t>(i)];
     here.broken = announced(tick.effects, i, EffectType::fleet_breakdown);
-    here.window.low_share = regions_[static_cast<std::size_t>(i)].low_share.share(in_city, cars_of_the_city);
+    here.window.low_share = regions_[static_cast<std::size_t>(i)].low_share.ratio(in_city, cars_of_the_city);
     const double window = minute - last_.minute;
     here.window.may_give_up = window > model_.patience ? (window - model_.patience) / window : 0.0;
     count_sessions(minute, i, here);
@@ -109,8 +111,12 @@ void FleetFilter::add_short_trips(const WindowOutlook& outlook, std::vector<News
     begun[i] = picked_up(static_cast<int>(i), news[i], outlook).expected;
   }
   for (const ShortTrips& trips : outlook.short_trips) {
-    news[static_cast<std::size_t>(trips.to)].window.dropped_off +=
+    news[static_cast<std::size_t>(trips.to)].usual_drop_offs +=
         trips.share * begun[static_cast<std::size_t>(trips.from)];
+  }
+  const double rate = trip_rate_.ratio(1.0, trips_of_the_model);
+  for (News& here : news) {
+    here.window.dropped_off = rate * here.usual_drop_offs;
   }
 }
 

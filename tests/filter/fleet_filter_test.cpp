@@ -193,5 +193,34 @@ TEST_F(FleetFilterTest, BelievesAllWhoTellTheTruthAgainOnceTheCityIsTheFleetWith
   EXPECT_EQ(filter_.variance(), Eigen::VectorXd::Zero(3));
 }
 
+/// Two regions send each other four cars between reports, twice as many as the model says.
+class BusyDayTest : public FleetFilterTest {
+ protected:
+  BusyDayTest() { short_trips_ = {{0, 1, 0.5}, {1, 0, 0.5}}; }
+
+  /// How far vacant cars are from what is expected of them, at the last of so many such reports; region 0 says so many
+  /// passengers too many.
+  double surprised_after(int reports, int too_many = 0) {
+    FieldInnovations vacant;
+    for (int k = 0; k < reports; ++k) {
+      vacant = hear(tick_ += 2, {said(0, 10, 4 + too_many), said(1, 10, 4), said(2, 10, 0)}).innovations[0];
+    }
+    return vacant.squares / vacant.counts;
+  }
+
+ private:
+  int tick_ = 0;
+};
+
+TEST_F(BusyDayTest, IsFollowed) {
+  EXPECT_DOUBLE_EQ(surprised_after(1), 2.0);
+  EXPECT_LT(surprised_after(10), 0.5);
+}
+
+TEST_F(BusyDayTest, IsNotSeenInALie) {
+  surprised_after(1, 9);
+  EXPECT_GT(surprised_after(1), 1.5);
+}
+
 }  // namespace
 }  // namespace evbal
