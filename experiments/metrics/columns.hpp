@@ -86,6 +86,8 @@ void columns(Visit&& visit, const Totals& t) {
   visit("lies_found_60", t.detection.found_60);
   visit("lies_found", t.detection.found);
   visit("lies_found_minutes", t.detection.minutes);
+  visit("large_lies", t.detection.large);
+  visit("large_lies_found_60", t.detection.large_found_60);
   visit("false_alarms", t.detection.false_alarms);
 }
 

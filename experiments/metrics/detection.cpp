@@ -1,6 +1,7 @@
 #include "experiments/metrics/detection.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
@@ -11,7 +12,9 @@
 namespace evbal {
 namespace {
 
-constexpr int aftermath = 60;  ///< minutes after a lie in which its region's flags are no false alarms
+constexpr int aftermath = 60;        ///< minutes after a lie in which its region's flags are no false alarms
+constexpr int an_hour = 60;          ///< minutes
+constexpr double a_large_lie = 5.0;  ///< cars or passengers
 
 /// What one sensor fault does to one region.
 struct LieWindow {
@@ -19,19 +22,21 @@ struct LieWindow {
   ReportField field = ReportField::none;
   std::optional<int> first_false{};  ///< tick of the first report that it falsifies
   int last = 0;                      ///< tick in which it acts
+  bool large = false;                ///< whether it becomes so within an hour
 };
 
-bool changed(const TickRecord& record, const Effect& effect) {
+/// By how much it falsified a report.
+double falsified_by(const TickRecord& record, const Effect& effect) {
+  double amount = 0.0;
   for (const Departures& said : record.exchange.departures) {
-    if (said.region == effect.region) {
-      return std::ranges::any_of(
-          said.observed, [&](const Observed& seen) { return seen.fault == effect.fault && seen.amount != 0.0; });
+    for (const Observed& seen : said.observed) {
+      amount += said.region == effect.region && seen.fault == effect.fault ? seen.amount : 0.0;
     }
   }
-  return false;
+  return amount;
 }
 
-std::vector<LieWindow> lies_of(std::span<const TickRecord> ticks) {
+std::vector<LieWindow> lies_of(const DayClock& clock, std::span<const TickRecord> ticks) {
   std::map<std::pair<int, int>, LieWindow> windows;  // by fault and region
   for (const TickRecord& record : ticks) {
     for (const Effect& effect : record.faults.effects) {
@@ -42,9 +47,13 @@ std::vector<LieWindow> lies_of(std::span<const TickRecord> ticks) {
       window.region = effect.region;
       window.field = effect.field;
       window.last = record.tick.tick;
-      if (!window.first_false && changed(record, effect)) {
+      const double amount = falsified_by(record, effect);
+      if (!window.first_false && amount != 0.0) {
         window.first_false = record.tick.tick;
       }
+      const int since =
+          window.first_false ? clock.minute_of(record.tick.tick) - clock.minute_of(*window.first_false) : 0;
+      window.large = window.large || (since <= an_hour && std::abs(amount) >= a_large_lie);
     }
   }
   std::vector<LieWindow> lies;
@@ -87,18 +96,20 @@ void judge(const LieWindow& lie, const Flagged& flagged, const DayClock& clock, 
     if (minutes && what.second == lie.field) {
       ++sum.found;
       sum.found_30 += *minutes <= 30 ? 1 : 0;
-      sum.found_60 += *minutes <= 60 ? 1 : 0;
+      sum.found_60 += *minutes <= an_hour ? 1 : 0;
+      sum.large_found_60 += lie.large && *minutes <= an_hour ? 1 : 0;
       sum.minutes += *minutes;
     }
   }
   ++sum.lies;
-  sum.seen_60 += seen && *seen <= 60 ? 1 : 0;
+  sum.large += lie.large ? 1 : 0;
+  sum.seen_60 += seen && *seen <= an_hour ? 1 : 0;
 }
 
 }  // namespace
 
 Detection detection(const DayClock& clock, std::span<const TickRecord> ticks) {
-  const std::vector<LieWindow> lies = lies_of(ticks);
+  const std::vector<LieWindow> lies = lies_of(clock, ticks);
   const Flagged flagged = flags_of(ticks);
   Detection sum;
   for (const LieWindow& lie : lies) {

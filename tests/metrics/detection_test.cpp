@@ -51,6 +51,15 @@ TEST(Detection, CountsFromTheFirstFalseReport) {
   EXPECT_EQ(is.false_alarms, 0);
 }
 
+TEST(Detection, TellsLargeLiesByTheirFirstHour) {
+  auto ticks = lying_day();
+  flag(ticks, 80, 1, ReportField::vacant);
+  EXPECT_EQ(detection(clock, ticks).large, 0);
+  ticks[12].exchange.departures[1].observed.front().amount = -5.0;
+  EXPECT_EQ(detection(clock, ticks).large, 1);
+  EXPECT_EQ(detection(clock, ticks).large_found_60, 1);
+}
+
 TEST(Detection, CallsFlagsFalseWhereNothingLies) {
   auto ticks = lying_day();
   for (const int minute : {50, 60, 100}) {

@@ -37,6 +37,8 @@ const std::vector<MetricMeaning>& metric_meanings() {
       {"lies_found_60", "", "those whose field was flagged within 60 min"},
       {"lies_found", "", "those whose field was flagged before they ended"},
       {"lies_found_minutes", "min", "that passed until lies were found, in all"},
+      {"large_lies", "", "lies that came to be wrong by five or more within 60 min"},
+      {"large_lies_found_60", "", "of these, those whose field was flagged within 60 min"},
       {"false_alarms", "", "fields flagged in a region where no sensor lies, or did in the last hour"},
   };
   return all;
