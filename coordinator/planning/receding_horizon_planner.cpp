@@ -175,7 +175,14 @@ RecedingHorizonPlanner::Inflation RecedingHorizonPlanner::inflation_at(int minut
              : Inflation{none, none};
 }
 
-PlanningData RecedingHorizonPlanner::data(int minute, const std::vector<Report>& reports, const Inflation& by) const {
+const Eigen::MatrixXd& RecedingHorizonPlanner::demand_ahead(int minute, int tau) {
+  if (demand_ahead_.cols() < tau) {
+    demand_ahead_ = told_.as_announced(demand_->forecast(minute, tau), clock_.step);
+  }
+  return demand_ahead_;
+}
+
+PlanningData RecedingHorizonPlanner::data(int minute, const std::vector<Report>& reports, const Inflation& by) {
   const int tau = horizon_at(clock_, minute, settings_.balancing.tau);
   PlanningData data;
   data.km = km_;
@@ -183,8 +190,7 @@ PlanningData RecedingHorizonPlanner::data(int minute, const std::vector<Report>&
   data.state = fleet_state(reports, minute, clock_.step, tau);
   data.state.chargeable *= top_up_ ? 1.0 : 0.0;
   data.points = points_ahead(reports, tau);
-  data.demand = moment_set(model_.demand.errors, told_.as_announced(demand_->forecast(minute, tau), clock_.step),
-                           demand_->scale(minute, tau));
+  data.demand = moment_set(model_.demand.errors, demand_ahead(minute, tau), demand_->scale(minute, tau));
   inflate(data.demand, by.demand);
   add_variance(data.demand, vacant_variance_);
   data.demand_samples = gaussian_samples(data.demand, draws_samples(settings_.controller) ? demand_samples : 0);
@@ -222,6 +228,7 @@ std::vector<Report> RecedingHorizonPlanner::observe(const Tick& tick, const std:
   demand_->observe(minute, told_.as_usual(heard(checked.good, &Report::demand), minute - before));
   completions_->observe(minute, heard(checked.good, &Report::completions));
   told_ = announced_demand(foresees_ ? std::vector<Effect>{} : tick.effects, model_.regions());
+  demand_ahead_ = {};
   last_ = {};
   last_.tick = tick.tick;
   last_.provenance = std::move(found);
@@ -234,8 +241,8 @@ WindowOutlook RecedingHorizonPlanner::outlook(int from, int until) {
   if (short_trips_.of != &trips || short_trips_.window != until - from) {
     short_trips_ = {&trips, until - from, short_trips(trips, minutes_, until - from, clock_.tick)};
   }
-  const Eigen::MatrixXd forecast = told_.as_announced(demand_->forecast(from, 1), clock_.step);
-  return {short_trips_.trips, forecast.col(0) * (until - from) / clock_.step, model_.turnover.demand.linear.front()};
+  const Eigen::VectorXd demand = demand_ahead(from, 1).col(0) * (until - from) / clock_.step;
+  return {short_trips_.trips, demand, model_.turnover.demand.linear.front()};
 }
 
 std::vector<Report> RecedingHorizonPlanner::filtered(const Tick& tick, CheckedReports& checked, Provenance& found) {

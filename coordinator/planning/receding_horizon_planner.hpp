@@ -67,6 +67,9 @@ class RecedingHorizonPlanner {
   /// the forecasts.
   std::vector<Report> filtered(const Tick& tick, CheckedReports& checked, Provenance& found);
 
+  /// Demand of `tau` steps from `minute` on, N x tau or more, as the last reports let expect and as announced.
+  const Eigen::MatrixXd& demand_ahead(int minute, int tau);
+
   /// What was to be expected of the time between two plans.
   WindowOutlook outlook(int from, int until);
 
@@ -84,7 +87,7 @@ class RecedingHorizonPlanner {
   };
   Inflation inflation_at(int minute) const;
 
-  PlanningData data(int minute, const std::vector<Report>& reports, const Inflation& by) const;
+  PlanningData data(int minute, const std::vector<Report>& reports, const Inflation& by);
 
   DayClock clock_;
   PlanningSettings settings_;
@@ -102,7 +105,8 @@ class RecedingHorizonPlanner {
   std::optional<FleetFilter> filter_;  ///< in place of fleet_, unless sensor faults are ignored
   Eigen::VectorXd vacant_variance_;    ///< N, of the number of vacant vehicles: 0 where a report is believed
   KnownShortTrips short_trips_;
-  AnnouncedDemand told_;  ///< with the last plan's tick
+  AnnouncedDemand told_;          ///< with the last plan's tick
+  Eigen::MatrixXd demand_ahead_;  ///< from then on; empty until it is asked for
   Plan last_;
   Ladder ladder_;
 };
