@@ -36,7 +36,7 @@ class Search : public ::testing::Test {
   }
 
   static std::string command(const std::string& out) {
-    return "search morning.yaml --faults ingredients.yaml --budget 24 --out " + out;
+    return "search morning.yaml --faults ingredients.yaml --budget 12 --out " + out;
   }
 
   std::string file(const std::string& folder, const std::string& name) const {
@@ -70,7 +70,7 @@ class Search : public ::testing::Test {
 TEST_F(Search, LeavesTheWorstAndWhatRemainsOfIt) {
   const Ended ended = search("a", "--random");
   ASSERT_EQ(ended.status, 0) << ended.err;
-  EXPECT_NE(ended.out.find("the worst of 24 random draws"), std::string::npos) << ended.out;
+  EXPECT_NE(ended.out.find("the worst of 12 random draws"), std::string::npos) << ended.out;
   EXPECT_NE(ended.out.find(file("a", "search.txt")), std::string::npos) << ended.out;
   EXPECT_TRUE(file("a", "path.csv").starts_with("trial,stage,parent,change,harm,most_harm,faults,schedule\n1,draw,"));
   for (const std::string name : {"worst", "shrunk"}) {
@@ -90,13 +90,13 @@ TEST_F(Search, IsTheSameHoweverManyDaysAtATime) {
 
 TEST_F(Search, GoesOnAfterAKill) {
   const pid_t id = line_.start(command("killed"));
-  for (int i = 0; i < 6000 && played("killed") < 10; ++i) {
+  for (int i = 0; i < 6000 && played("killed") < 6; ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   kill(id, SIGKILL);
   wait_for(id);
   const int before = played("killed");
-  ASSERT_GE(before, 10);
+  ASSERT_GE(before, 6);
   EXPECT_FALSE(fs::exists(line_.path() / "killed" / "shrunk.yaml"));
   const Ended resumed = search("killed");
   ASSERT_EQ(resumed.status, 0) << resumed.err;
