@@ -104,6 +104,28 @@ TEST(StudyFigures, ShowDaysCellsAndSwitches) {
   EXPECT_EQ(ablation.groups.at(0).rows.size(), 2U);
 }
 
+TEST(StudyFigures, ShowMetricsAsBars) {
+  const auto figure = only_figure("  - {bars: {variants: [new, set], metrics: [lost, idle_km]}, caption: C.}\n");
+  EXPECT_EQ(figure.title, "lost and idle_km, a day");
+  ASSERT_EQ(figure.bars.size(), 1U) << "of b, and with faults, there is no day";
+  EXPECT_EQ(figure.bars[0].title, "Aville, calm");
+  ASSERT_EQ(figure.bars[0].bars.size(), 4U);
+  EXPECT_EQ(figure.bars[0].bars[0].name, "ours, lost");
+  EXPECT_DOUBLE_EQ(figure.bars[0].bars[2].value.mean, 65.0);
+  EXPECT_TRUE(is_known(figure.bars[0].bars[2].value));
+}
+
+TEST(StudyFigures, ShowSharesOfAllDaysTogether) {
+  const auto figure = only_figure(
+      "  - {bars: {variants: [set], metrics: [lost], of: idle_km, scenarios: [a], faults: [calm]}, caption: C.}\n");
+  EXPECT_EQ(figure.title, "lost, share of idle_km");
+  EXPECT_TRUE(figure.shares);
+  EXPECT_EQ(figure.bars.at(0).title, "calm");
+  EXPECT_EQ(figure.bars[0].bars.at(0).name, "set");
+  EXPECT_DOUBLE_EQ(figure.bars[0].bars[0].value.mean, 130.0 / 30.0);
+  EXPECT_FALSE(is_known(figure.bars[0].bars[0].value));
+}
+
 TEST(StudyFigures, StandOnThePageBeforeItsTables) {
   const Page page =
       read_page(YamlValue::parse("title: T\ntext: Read so.\ndecided_after: |\n  One.\n\n  Two.\n"

@@ -41,6 +41,14 @@ nlohmann::ordered_json slope_json(const SlopePanel& panel) {
   return json;
 }
 
+nlohmann::ordered_json bars_json(const BarGroup& group) {
+  nlohmann::ordered_json json = {{"title", group.title}, {"bars", nlohmann::ordered_json::array()}};
+  for (const Bar& bar : group.bars) {
+    json["bars"].push_back({{"name", bar.name}, {"value", interval_json(bar.value)}});
+  }
+  return json;
+}
+
 template <class Parts, class MakeJson>
 nlohmann::ordered_json list_json(const Parts& parts, const MakeJson& json_of) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
@@ -62,7 +70,9 @@ nlohmann::ordered_json figures_json(const std::vector<StudyFigure>& figures) {
                                   {"to", figure.to},
                                   {"fronts", list_json(figure.fronts, panel_json)},
                                   {"groups", list_json(figure.groups, group_json)},
-                                  {"slopes", list_json(figure.slopes, slope_json)}};
+                                  {"slopes", list_json(figure.slopes, slope_json)},
+                                  {"bars", list_json(figure.bars, bars_json)},
+                                  {"shares", figure.shares}};
   });
 }
 

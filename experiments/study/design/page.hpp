@@ -76,7 +76,8 @@ enum class FigureKind {
   forest,    ///< the primary endpoints with their intervals
   slopes,    ///< day by day from one variant to another
   ablation,  ///< several variants against others, with intervals
-  map        ///< one variant against another, a cell a scenario and schedule of faults
+  map,       ///< one variant against another, a cell a scenario and schedule of faults
+  bars       ///< metrics of variants, a group of bars a scenario and schedule of faults
 };
 
 /// A figure of a page.
@@ -84,9 +85,11 @@ struct PageFigure {
   FigureKind kind = FigureKind::fronts;  ///< what it shows
   std::string caption;                   ///< what there is to see
   std::vector<std::string> variants{};   ///< by name; none of a forest
-  std::vector<std::string> against{};    ///< variants, by name; none of fronts and of a forest
+  std::vector<std::string> against{};    ///< variants, by name; none of fronts, of a forest and of bars
   std::vector<std::string> scenarios{};  ///< by name
-  std::vector<std::string> faults{};     ///< names of schedules; one, but for a map
+  std::vector<std::string> faults{};     ///< names of schedules; one, but for a map and bars
+  std::vector<std::string> metrics{};    ///< of bars, by name
+  std::optional<std::string> of{};       ///< of bars: metric that they are shares of
 };
 
 /// A page of answers that a sweep ends with.

@@ -15,7 +15,8 @@ using Texts = std::vector<std::string>;
 constexpr std::array figure_kinds = {
     std::pair("fronts", FigureKind::fronts),     std::pair("claims", FigureKind::claims),
     std::pair("forest", FigureKind::forest),     std::pair("slopes", FigureKind::slopes),
-    std::pair("ablation", FigureKind::ablation), std::pair("map", FigureKind::map)};
+    std::pair("ablation", FigureKind::ablation), std::pair("map", FigureKind::map),
+    std::pair("bars", FigureKind::bars)};
 
 Texts items_or_all(YamlMap& map, const char* key, const char* what, const Texts& all) {
   const auto given = map.find(key);
@@ -33,7 +34,17 @@ std::string figure_faults(YamlMap& map, const KnownNames& names) {
   return names.faults.front();
 }
 
-/// What the keys below a figure's kind say.
+void read_bars(PageFigure& figure, YamlMap& map, const KnownNames& names) {
+  figure.variants = read_known_items(map.require("variants"), "variant", names.variants);
+  figure.metrics = read_known_items(map.require("metrics"), "metric", names.metrics);
+  if (const auto of = map.find("of")) {
+    figure.of = read_known(*of, "metric", names.metrics);
+  }
+  figure.scenarios = items_or_all(map, "scenarios", "scenario", names.scenarios);
+  figure.faults = items_or_all(map, "faults", "faults", names.faults);
+}
+
+/// What the keys below the kind of any other figure say.
 void read_shown(PageFigure& figure, YamlMap& map, const KnownNames& names) {
   const bool several = figure.kind == FigureKind::fronts || figure.kind == FigureKind::ablation;
   figure.variants = several ? read_known_items(map.require("variants"), "variant", names.variants)
@@ -68,13 +79,13 @@ PageFigure read_figure(const YamlValue& value, const KnownNames& names) {
       continue;
     }
     YamlMap keys(*shown);
-    read_shown(figure, keys, names);
+    (kind == FigureKind::bars ? read_bars : read_shown)(figure, keys, names);
     keys.finish();
   }
   map.finish();
   if (kinds != 1) {
     throw value.error(
-        "a figure shows one thing; give one of `fronts`, `claims`, `forest`, `slopes`, `ablation`, `map`");
+        "a figure shows one thing; give one of `fronts`, `claims`, `forest`, `slopes`, `ablation`, `map`, `bars`");
   }
   return figure;
 }

@@ -141,6 +141,14 @@ std::vector<SlopePanel> slope_panels(const Page& page, const PageFigure& figure,
   return panels;
 }
 
+std::string metric_words(const PageFigure& figure) {
+  std::string words;
+  for (const std::string& metric : figure.metrics) {
+    words += (words.empty() ? "" : " and ") + metric;
+  }
+  return words;
+}
+
 std::string title_of(const Page& page, const PageFigure& figure) {
   const auto pair = [&] {
     return words_for(page, figure.variants.front()) + " against " + words_for(page, figure.against.front());
@@ -158,6 +166,8 @@ std::string title_of(const Page& page, const PageFigure& figure) {
       return "What each change earns by itself: passengers lost at equal km driven empty";
     case FigureKind::map:
       return "Where it pays, passengers lost at equal km driven empty: " + pair();
+    case FigureKind::bars:
+      return metric_words(figure) + (figure.of ? ", share of " + *figure.of : ", a day");
   }
   return "";
 }
@@ -170,7 +180,8 @@ std::string kind_name(FigureKind kind) {
          : kind == FigureKind::forest   ? "forest"
          : kind == FigureKind::slopes   ? "slopes"
          : kind == FigureKind::ablation ? "ablation"
-                                        : "map";
+         : kind == FigureKind::map      ? "map"
+                                        : "bars";
 }
 
 std::vector<StudyFigure> study_figures(const Page& page, const PageDays& days,
@@ -203,6 +214,10 @@ std::vector<StudyFigure> study_figures(const Page& page, const PageDays& days,
         break;
       case FigureKind::map:
         figure.groups = map_groups(page, asked, days);
+        break;
+      case FigureKind::bars:
+        figure.bars = bar_groups(page, asked, days);
+        figure.shares = asked.of.has_value();
         break;
     }
     figures.push_back(std::move(figure));

@@ -51,6 +51,18 @@ struct SlopePanel {
   std::vector<ComparedDay> days{};  ///< lost passengers of both at equal idle km, a seed
 };
 
+/// What a metric of a variant came to.
+struct Bar {
+  std::string name;  ///< in words
+  Interval value;    ///< mean over days, or the share of all days together, whose interval is not known
+};
+
+/// The bars of one scenario and schedule of faults.
+struct BarGroup {
+  std::string title;        ///< in words
+  std::vector<Bar> bars{};  ///< of variants and metrics, in the order of the figure; those without days are left out
+};
+
 /// A figure, and what it shows.
 struct StudyFigure {
   FigureKind kind = FigureKind::fronts;  ///< how it is drawn
@@ -62,6 +74,8 @@ struct StudyFigure {
   std::vector<FrontPanel> fronts{};      ///< of fronts
   std::vector<FigureGroup> groups{};     ///< of claims, forest, ablation and map
   std::vector<SlopePanel> slopes{};      ///< of slopes
+  std::vector<BarGroup> bars{};          ///< of bars
+  bool shares = false;                   ///< of bars: whether they are shares, not counts
 };
 
 /// What a kind of figure is called.
@@ -70,6 +84,9 @@ std::string kind_name(FigureKind kind);
 /// The page's figures in their order. `answers` are its primary endpoints.
 std::vector<StudyFigure> study_figures(const Page& page, const PageDays& days,
                                        const std::vector<PrimaryAnswer>& answers);
+
+/// The bars of a figure.
+std::vector<BarGroup> bar_groups(const Page& page, const PageFigure& figure, const PageDays& days);
 
 /// The fronts of a figure in one scenario.
 FrontPanel front_panel(const Page& page, const PageFigure& figure, const std::string& scenario, const PageDays& days);

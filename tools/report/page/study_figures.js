@@ -8,17 +8,19 @@ const studyKinds = {
   slopes: {draw: drawSlopes, rows: slopeRows},
   ablation: {draw: drawForest, rows: forestRows},
   map: {draw: drawHeatMap, rows: forestRows},
+  bars: {draw: drawBars, rows: barRows},
 };
 const studyRows = figure => studyKinds[figure.kind].rows(figure);
 
 // What a figure shows, for those who do not see it.
-function studyWords({fronts, groups, slopes}) {
+function studyWords({fronts, groups, slopes, bars, shares}) {
   return [
     ...fronts.map(panel => panel.title + ": " + panel.lines.map(({name, hull}) => name + " from " + counted(hull[0][0]) +
       " km and " + counted(hull[0][1]) + " lost to " + counted(hull.at(-1)[0]) + " km and " + counted(hull.at(-1)[1])).join("; ")),
     ...groups.map(group => group.title + ": " + group.rows.map(row => row.name + " " + forestWords(row)).join("; ")),
     ...slopes.map(panel => panel.title + ": fewer lost on " + panel.days.filter(day => day.value < day.reference).length +
       " of " + panel.days.length + " days"),
+    ...bars.map(group => group.title + ": " + group.bars.map(({name, value}) => name + " " + barWords(value, shares)).join("; ")),
   ].join(". ") + ".";
 }
 
