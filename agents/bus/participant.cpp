@@ -58,9 +58,14 @@ rtps::Locator_t locator_of(const BusAddress& address, int participant) {
 }
 
 void use_own_host_only(dds::DomainParticipantQos& qos, const BusAddress& address) {
+  const std::string host = host_of(address, address.participant);
+  if (!is_own_address(host)) {
+    throw run_failed("address " + host +
+                     ": no network interface of this machine has it; `ip address` shows those that do");
+  }
   qos.transport().use_builtin_transports = false;
   const auto udp = std::make_shared<UDPv4TransportDescriptor>();
-  udp->interfaceWhiteList = {host_of(address, address.participant)};
+  udp->interfaceWhiteList = {host};
   udp->maxMessageSize = address.apart ? packet_bytes_apart : packet_bytes;
   if (address.participant < BusAddress::first_agent) {
     udp->sendBufferSize = socket_buffer;

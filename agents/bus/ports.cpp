@@ -4,6 +4,7 @@
 
 #include <arpa/inet.h>
 #include <dirent.h>
+#include <ifaddrs.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -54,6 +55,21 @@ std::string address_towards(const std::string& host) {
 
 int discovery_port(int domain, int participant) {
   return 7400 + 250 * domain + 10 + 2 * participant;
+}
+
+bool is_own_address(const std::string& address) {
+  const in_addr_t wanted = inet_addr(address.c_str());
+  ifaddrs* all = nullptr;
+  if (getifaddrs(&all) != 0) {
+    throw run_failed(std::string("network interfaces: ") + std::strerror(errno));
+  }
+  bool found = false;
+  for (const ifaddrs* one = all; one != nullptr && !found; one = one->ifa_next) {
+    found = one->ifa_addr != nullptr && one->ifa_addr->sa_family == AF_INET &&
+            reinterpret_cast<const sockaddr_in*>(one->ifa_addr)->sin_addr.s_addr == wanted;
+  }
+  freeifaddrs(all);
+  return found;
 }
 
 std::string port_complaint(const std::string& address, int port) {

@@ -51,6 +51,18 @@ TEST(Ports, OfThreeDomainsInUseAreLeftToTheOthers) {
   EXPECT_EQ(players.play(fake::tick(0, 3)).departures.size(), 3U);
 }
 
+TEST(Ports, AreOfAnAddressThatThisMachineHas) {
+  EXPECT_TRUE(is_own_address("127.0.0.1"));
+  try {
+    const Participant participant({.run = "1-1", .domain = 1, .participant = 3, .participants = 4, .host = "127.0.0.2"},
+                                  "a");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(),
+                 "address 127.0.0.2: no network interface of this machine has it; `ip address` shows those that do");
+  }
+}
+
 TEST(Ports, OfAParticipantAreItsOwnOrItSaysWhichIsNot) {
   const DomainLock lock(4);
   for (const int offset : {0, 1}) {
