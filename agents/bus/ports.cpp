@@ -51,6 +51,11 @@ std::string address_towards(const std::string& host) {
   return inet_ntop(AF_INET, &here.sin_addr, text.data(), text.size());
 }
 
+Error reached_by_two(const std::string& hosts, const std::string& addresses) {
+  return run_failed("hosts " + hosts + " reach this one by two addresses, " + addresses +
+                    "; give hosts of one network, this one by its address there, too");
+}
+
 }  // namespace
 
 int discovery_port(int domain, int participant) {
@@ -91,8 +96,7 @@ std::string address_towards(const std::vector<std::string>& hosts) {
   for (const std::string& host : hosts) {
     const std::string towards = address_towards(host);
     if (&host != &hosts.front() && towards != own) {
-      throw run_failed("hosts " + hosts.front() + " and " + host + " reach this one by two addresses, " + own +
-                       " and " + towards + "; give hosts of one network, this one by its address there, too");
+      throw reached_by_two(hosts.front() + " and " + host, own + " and " + towards);
     }
     own = towards;
   }

@@ -89,6 +89,7 @@ void FleetFilter::add_road_traffic(const std::vector<Move>& moves, int minute, s
   std::ranges::copy_if(moves, std::back_inserter(last_.moves),
                        [&](const Move& move) { return std::ranges::find(unplanned_, move.from) == unplanned_.end(); });
   std::vector<std::vector<UnderWay>> now;
+  now.reserve(news.size());
   for (const News& here : news) {
     now.push_back(here.bound);
   }

@@ -118,12 +118,13 @@ Detection detection(const DayClock& clock, std::span<const TickRecord> ticks) {
     }
   }
   for (const auto& [what, at] : flagged) {
+    const int region = what.first;
     int before = -clock.plan_every;
     for (const int tick : at) {
       const int minute = clock.minute_of(tick);
       const bool begins = minute - before > clock.plan_every;
       const bool explained = std::ranges::any_of(lies, [&](const LieWindow& lie) {
-        return lie.region == what.first && lie.first_false && *lie.first_false <= tick &&
+        return lie.region == region && lie.first_false && *lie.first_false <= tick &&
                minute <= clock.minute_of(lie.last) + aftermath;
       });
       sum.false_alarms += begins && !explained ? 1 : 0;
