@@ -51,8 +51,9 @@ std::string address_towards(const std::string& host) {
   return inet_ntop(AF_INET, &here.sin_addr, text.data(), text.size());
 }
 
-Error reached_by_two(const std::string& hosts, const std::string& addresses) {
-  return run_failed("hosts " + hosts + " reach this one by two addresses, " + addresses +
+Error two_addresses(const std::string& a, const std::string& b, const std::string& own_to_a,
+                    const std::string& own_to_b) {
+  return run_failed("hosts " + a + " and " + b + " reach this one by two addresses, " + own_to_a + " and " + own_to_b +
                     "; give hosts of one network, this one by its address there, too");
 }
 
@@ -96,7 +97,7 @@ std::string address_towards(const std::vector<std::string>& hosts) {
   for (const std::string& host : hosts) {
     const std::string towards = address_towards(host);
     if (&host != &hosts.front() && towards != own) {
-      throw reached_by_two(hosts.front() + " and " + host, own + " and " + towards);
+      throw two_addresses(hosts.front(), host, own, towards);
     }
     own = towards;
   }

@@ -57,6 +57,7 @@ std::vector<LieWindow> lies_of(const DayClock& clock, std::span<const TickRecord
     }
   }
   std::vector<LieWindow> lies;
+  lies.reserve(windows.size());
   for (const auto& [which, window] : windows) {
     lies.push_back(window);
   }
