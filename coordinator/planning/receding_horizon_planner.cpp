@@ -175,9 +175,9 @@ RecedingHorizonPlanner::Inflation RecedingHorizonPlanner::inflation_at(int minut
              : Inflation{none, none};
 }
 
-const Eigen::MatrixXd& RecedingHorizonPlanner::demand_ahead(int minute, int tau) {
+const Eigen::MatrixXd& RecedingHorizonPlanner::demand_ahead(int tau) {
   if (demand_ahead_.cols() < tau) {
-    demand_ahead_ = told_.as_announced(demand_->forecast(minute, tau), clock_.step);
+    demand_ahead_ = told_.as_announced(demand_->forecast(clock_.minute_of(last_.tick), tau), clock_.step);
   }
   return demand_ahead_;
 }
@@ -190,7 +190,7 @@ PlanningData RecedingHorizonPlanner::data(int minute, const std::vector<Report>&
   data.state = fleet_state(reports, minute, clock_.step, tau);
   data.state.chargeable *= top_up_ ? 1.0 : 0.0;
   data.points = points_ahead(reports, tau);
-  data.demand = moment_set(model_.demand.errors, demand_ahead(minute, tau), demand_->scale(minute, tau));
+  data.demand = moment_set(model_.demand.errors, demand_ahead(tau), demand_->scale(minute, tau));
   inflate(data.demand, by.demand);
   add_variance(data.demand, vacant_variance_);
   data.demand_samples = gaussian_samples(data.demand, draws_samples(settings_.controller) ? demand_samples : 0);
@@ -241,7 +241,7 @@ WindowOutlook RecedingHorizonPlanner::outlook(int from, int until) {
   if (short_trips_.of != &trips || short_trips_.window != until - from) {
     short_trips_ = {&trips, until - from, short_trips(trips, minutes_, until - from, clock_.tick)};
   }
-  const Eigen::VectorXd demand = demand_ahead(from, 1).col(0) * (until - from) / clock_.step;
+  const Eigen::VectorXd demand = demand_ahead(1).col(0) * (until - from) / clock_.step;
   return {short_trips_.trips, demand, model_.turnover.demand.linear.front()};
 }
 

@@ -67,8 +67,8 @@ class RecedingHorizonPlanner {
   /// the forecasts.
   std::vector<Report> filtered(const Tick& tick, CheckedReports& checked, Provenance& found);
 
-  /// Demand of `tau` steps from `minute` on, N x tau or more, as the last reports let expect and as announced.
-  const Eigen::MatrixXd& demand_ahead(int minute, int tau);
+  /// Demand of `tau` steps from the last reports on, N x tau or more, as these let expect and as announced.
+  const Eigen::MatrixXd& demand_ahead(int tau);
 
   /// What was to be expected of the time between two plans.
   WindowOutlook outlook(int from, int until);

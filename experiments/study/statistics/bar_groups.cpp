@@ -6,33 +6,22 @@
 namespace evbal {
 namespace {
 
-/// A metric over days: its mean a day, or its share of what another comes to.
-class Total {
- public:
-  Total(const std::string& metric, const std::optional<std::string>& of) : metric_(metric), of_(of) {}
-
-  void add(const FinishedDay& day) {
-    values_.push_back({day.day, day.totals.at(metric_)});
-    sum_ += values_.back().value;
-    whole_ += of_ ? day.totals.at(*of_) : 0.0;
+/// The metric's mean a day, or its share of what `of` comes to on all days together; none without days, or if that is
+/// nothing.
+std::optional<Interval> bar_value(const std::vector<const FinishedDay*>& days, const std::string& metric,
+                                  const std::optional<std::string>& of) {
+  if (!of) {
+    return days.empty() ? std::nullopt : std::optional(mean_over_days(days, metric));
   }
-
-  /// None without days, or if the whole is nothing.
-  std::optional<Interval> value() const {
-    constexpr double unknown = std::numeric_limits<double>::infinity();
-    if (values_.empty() || (of_ && whole_ == 0.0)) {
-      return std::nullopt;
-    }
-    return of_ ? Interval{sum_ / whole_, -unknown, unknown} : t_interval(values_);
+  double part = 0.0;
+  double whole = 0.0;
+  for (const FinishedDay* day : days) {
+    part += day->totals.at(metric);
+    whole += day->totals.at(*of);
   }
-
- private:
-  const std::string& metric_;
-  const std::optional<std::string>& of_;
-  std::vector<DayValue> values_;
-  double sum_ = 0.0;
-  double whole_ = 0.0;
-};
+  constexpr double unknown = std::numeric_limits<double>::infinity();
+  return whole == 0.0 ? std::nullopt : std::optional(Interval{part / whole, -unknown, unknown});
+}
 
 std::string bar_words(const Page& page, const PageFigure& figure, const std::string& variant,
                       const std::string& metric) {
@@ -45,14 +34,14 @@ BarGroup bar_group(const Page& page, const PageFigure& figure, const PageDays& d
   BarGroup group{.title =
                      (figure.scenarios.size() > 1 ? words_for(page, scenario) + ", " : "") + words_for(page, faults)};
   for (const std::string& variant : figure.variants) {
-    for (const std::string& metric : figure.metrics) {
-      Total total(metric, figure.of);
-      for (const FinishedDay& day : days.days) {
-        if (day.variant == variant && day.scenario == scenario && day.faults == faults) {
-          total.add(day);
-        }
+    std::vector<const FinishedDay*> played;
+    for (const FinishedDay& day : days.days) {
+      if (day.variant == variant && day.scenario == scenario && day.faults == faults) {
+        played.push_back(&day);
       }
-      if (const auto value = total.value()) {
+    }
+    for (const std::string& metric : figure.metrics) {
+      if (const auto value = bar_value(played, metric, figure.of)) {
         group.bars.push_back({bar_words(page, figure, variant, metric), *value});
       }
     }

@@ -79,6 +79,15 @@ MeanBound mean_bound(const PageDays& days, const std::string& scenario, const st
   return bound;
 }
 
+Interval mean_over_days(const std::vector<const FinishedDay*>& days, const std::string& metric) {
+  std::vector<DayValue> values;
+  values.reserve(days.size());
+  for (const FinishedDay* day : days) {
+    values.push_back({day->day, day->totals.at(metric)});
+  }
+  return t_interval(values);
+}
+
 bool has_front(const std::vector<FinishedDay>& days, const std::string& variant) {
   std::map<std::string, Settings> first;
   return std::any_of(days.begin(), days.end(), [&](const FinishedDay& day) {

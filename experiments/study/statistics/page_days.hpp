@@ -35,6 +35,9 @@ struct MeanBound {
 /// The bound of one scenario and schedule of faults.
 MeanBound mean_bound(const PageDays& days, const std::string& scenario, const std::string& faults);
 
+/// A metric's mean over days, of which there is one at least, with its interval.
+Interval mean_over_days(const std::vector<const FinishedDay*>& days, const std::string& metric);
+
 /// Whether a variant has several settings in one of its scenarios.
 bool has_front(const std::vector<FinishedDay>& days, const std::string& variant);
 

@@ -44,12 +44,7 @@ std::string means(const MeansSection& section, const std::vector<FinishedDay>& d
   for (const auto& [group, of_group] : grouped(days, section.variants)) {
     Words cells = {markdown_cell(std::get<0>(group)), markdown_cell(std::get<1>(group)), std::get<2>(group)};
     for (const auto& metric : section.metrics) {
-      std::vector<DayValue> values;
-      values.reserve(of_group.size());
-      for (const auto* day : of_group) {
-        values.push_back({day->day, day->totals.at(metric)});
-      }
-      const Interval mean = t_interval(values);
+      const Interval mean = mean_over_days(of_group, metric);
       cells.push_back(rounded(mean.mean) + (is_known(mean) ? " ± " + rounded(mean.high - mean.mean) : ""));
     }
     text += table_row(cells);
