@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <string_view>
 
@@ -13,7 +14,9 @@ namespace {
 constexpr unsigned grace_seconds = 10;
 constexpr std::string_view late = "evbal: asked to end by a signal, did not end within 10 s\n";
 
-volatile std::sig_atomic_t interrupted_by = 0;
+// The kernel may choose any thread for the signal, one of Fast DDS's too, and another one asks.
+std::atomic<int> interrupted_by = 0;
+static_assert(std::atomic<int>::is_always_lock_free, "a signal's handler must not wait for a lock");
 
 void remember(int signal) {
   interrupted_by = signal;
@@ -47,8 +50,8 @@ void catch_interrupts() {
 }
 
 void check_interrupt() {
-  if (interrupted_by != 0) {
-    throw run_failed(interrupted_by == SIGINT ? "interrupted" : "asked to end by a signal");
+  if (const int signal = interrupted_by; signal != 0) {
+    throw run_failed(signal == SIGINT ? "interrupted" : "asked to end by a signal");
   }
 }
 

@@ -4,6 +4,7 @@
 #include "agents/hosting/process.hpp"
 #include "agents/protocol/fingerprint.hpp"
 #include "common/error.hpp"
+#include "common/interrupt.hpp"
 #include "tests/bus/dds/fake_answers.hpp"
 #include "tests/folder.hpp"
 
@@ -281,6 +282,31 @@ TEST_F(DdsPlayersTest, LauncherEndsWhileItStartsProcesses) {
   EXPECT_EQ(processes_with(folder_.path()), 0);
   const fs::directory_iterator logs(folder_.path() / "processes");
   EXPECT_LT(std::distance(fs::begin(logs), fs::end(logs)), regions) << "not all were started";
+}
+
+/// The status with which a run ends that is asked to within ten seconds; else 0.
+int status_of_asked_run() {
+  try {
+    for (int i = 0; i < 1000; ++i, std::this_thread::sleep_for(10ms)) {
+      check_interrupt();
+    }
+  } catch (const Error& error) {
+    return static_cast<int>(error.status());
+  }
+  return 0;
+}
+
+TEST(InterruptDeathTest, SignalMayReachAnotherThread) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");  // TSan allows no threads after a fork
+  EXPECT_EXIT(
+      {
+        catch_interrupts();
+        std::thread other([] { raise(SIGTERM); });
+        const int status = status_of_asked_run();
+        other.join();
+        _exit(status);
+      },
+      testing::ExitedWithCode(3), "");
 }
 
 TEST_F(DdsPlayersTest, KilledLauncherLeavesNothing) {
