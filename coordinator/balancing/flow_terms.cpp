@@ -22,7 +22,11 @@ class FlowFormulator {
         N_(static_cast<int>(data.km.rows())),
         K_(static_cast<int>(data.freed.mean.cols())),
         in_(K_, Expressions(N_)),
-        out_(K_, Expressions(N_)) {}
+        out_(K_, Expressions(N_)) {
+    for (int i = 0; i < N_; ++i) {
+      most_lambda_ = std::max(most_lambda_, lambda(i));
+    }
+  }
 
   std::vector<ArcFlow> formulate(const std::vector<ArcFlow>& top_ups) {
     const int back = slot_of(data_.mean_session_minutes / p_.flow_slot);
@@ -89,20 +93,31 @@ class FlowFormulator {
       C -= out_[k][i];
       C = minimise_hinges(program_, C, missed(k, i), {"cars", k, i});
     }
+    if (most_lambda_ > 0.0) {
+      program_.minimise("worth", (most_lambda_ - lambda(i)) * C);
+    }
   }
 
-  // p_k E[(N_i(k) - C)_+]: a hinge of C for each value of N_i(k)
+  // p_ik E[(N_i(k) - C)_+]: a hinge of C for each value of N_i(k)
   std::vector<Hinge> missed(int k, int i) const {
     const DiscreteDistribution N = passengers(k, i);
     std::vector<Hinge> hinges;
     for (std::size_t m = 0; m < N.values.size(); ++m) {
-      hinges.push_back({"shortage", -price(k) * N.probabilities[m], N.values[m]});
+      hinges.push_back({"shortage", -price(k, i) * N.probabilities[m], N.values[m]});
     }
     return hinges;
   }
 
-  // p_k
-  double price(int k) const { return p_.p_flow * ((1.0 - p_.flow_end) / K_ + (k + 1 == K_ ? p_.flow_end : 0.0)); }
+  // p_ik
+  double price(int k, int i) const {
+    const bool last = k + 1 == K_;
+    const double price = p_.p_flow * ((1.0 - p_.flow_end) / K_ + (last ? p_.flow_end : 0.0));
+    return last ? std::max(0.0, price + mu(i) - lambda(i)) : price;
+  }
+
+  // theta lambda_i and theta mu_i
+  double lambda(int i) const { return data_.worth.vacant.size() == 0 ? 0.0 : p_.flow_value * data_.worth.vacant(i); }
+  double mu(int i) const { return data_.worth.serving.size() == 0 ? 0.0 : p_.flow_value * data_.worth.serving(i); }
 
   // N_i(k)
   DiscreteDistribution passengers(int k, int i) const {
@@ -122,6 +137,7 @@ class FlowFormulator {
   int K_;
   std::vector<Expressions> in_;   // by slot and region
   std::vector<Expressions> out_;  // likewise
+  double most_lambda_ = 0.0;
 };
 
 }  // namespace

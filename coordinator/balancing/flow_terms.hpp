@@ -21,8 +21,13 @@
 //
 //   C_i(k) = C_i(k-1) + freed_i(k) - freed_i(k-1) + in_i(k) - out_i(k)          row "cars"
 //   out_i(m) <= C_i(m-1)                                                        row "set off"
-//   min  sum w_ij x_ij(m)  +  sum_k p_k E[(N_i(k) - C_i(k))_+]                  terms "km" and "shortage"
-//        p_k = p_f (1 - end) / K,   to which the last slot adds  p_f end
+//   min  sum w_ij x_ij(m)  +  sum p_ik E[(N_i(k) - C_i(k))_+]                   terms "km" and "shortage"
+//                          +  sum theta (max lambda - lambda_i) C_i(K-1)        term "worth"
+//        p_ik = p_f (1 - end) / K,  but  ((1 - end) / K + end) p_f + theta (mu_i - lambda_i)  in the last slot,
+//        and at least 0; theta = flow_value
+//
+// At the end of the last slot a car that is left over is worth lambda_i, one that took a passenger mu_i (CarWorth). All
+// cars together being as many wherever they are, what is paid for is that some are not where they are worth most.
 //
 //   out_i(m) = sum_j x_ij(m);   in_i(k) = sum of those x_ji(m) for which k is the first slot with
 //   m delta + t_ji <= (k+1) delta.  Cars that top up (top_up.hpp) set off in slot 0 too, and are back after a mean

@@ -45,6 +45,7 @@ struct BalancingParameters {
   double flow_patience = 9.0;  ///< minutes that a passenger may wait for a car without cost
   double flow_served = 0.95;   ///< at most this share of the passengers to come is served and gets out again
   double flow_pickup = 2.0;    ///< minutes that a passenger who is served waits
+  double flow_value = 0.6;     ///< share of CarWorth that counts
 };
 
 /// Vehicles as they stand when a plan is made; all N, in vehicles.
@@ -88,6 +89,13 @@ struct FreedCars {
   Eigen::MatrixXd variance;  ///< N x K: of that number
 };
 
+/// What a car is worth at the end of the last slot, in km of empty driving (docs/model.md, section 4: `flow`); N each,
+/// or none, where nothing is known of it.
+struct CarWorth {
+  Eigen::VectorXd vacant;   ///< lambda, of one that stands vacant in a region
+  Eigen::VectorXd serving;  ///< mu, of one that takes a passenger there
+};
+
 /// Everything that a controller may know when it plans.
 struct PlanningData {
   Eigen::MatrixXd km;                    ///< N x N
@@ -100,6 +108,7 @@ struct PlanningData {
   std::vector<Transitions> transitions;  ///< tau of them
   Turnover turnover;                     ///< of vehicles that serve twice in a step
   FreedCars freed;                       ///< by the end of each slot (flow only)
+  CarWorth worth;                        ///< at the end of the last slot (flow only)
   double step_minutes = 30.0;            ///< Delta
   double mean_session_minutes = 45.0;    ///< caps J_E's c_hat at P Delta / mean session; who tops up is away for it
   Eigen::MatrixXd minutes;               ///< N x N travel time (greedy and flow only)
@@ -125,8 +134,8 @@ struct BalancingResult {
   Dispatch dispatch;        ///< empty if no optimum was found
   Certificate certificate;  ///< whether it is an optimum
   /// The objective by term, in km of empty driving, as formulation.hpp names them: "km", "queue", "release",
-  /// "shortage", "surplus", "utilisation", "penalty". They sum to certificate.objective but for rounding; none if
-  /// nothing was solved.
+  /// "shortage", "surplus", "utilisation", "penalty", "worth". They sum to certificate.objective but for rounding; none
+  /// if nothing was solved.
   std::vector<CostTerm> cost;
   Start start = {};  ///< from where the engine may solve the next plan: PlanningData::start
 };

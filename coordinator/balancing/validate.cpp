@@ -123,6 +123,7 @@ void check_parameters(Complaint& complaint, const BalancingParameters& p) {
   complaint.require(p.flow_patience, 0.0, most_minutes, "parameter flow_patience");
   complaint.require(p.flow_slot, 1.0, most_minutes, "parameter flow_slot");
   complaint.require(p.flow_m1, 0.0, infinity, "parameter flow_m1");
+  complaint.require(p.flow_value, 0.0, most_price, "parameter flow_value");
 }
 
 void check_turnover(Complaint& complaint, const PlanningData& data) {
@@ -142,6 +143,11 @@ void check_turnover(Complaint& complaint, const PlanningData& data) {
 void check_freed(Complaint& complaint, const FreedCars& freed) {
   complaint.require(freed.mean, 0.0, most_cars, "vehicles that become vacant", "slot");
   complaint.require(freed.variance, 0.0, most_variance, "variance of vehicles that become vacant", "slot");
+}
+
+void check_worth(Complaint& complaint, const CarWorth& worth) {
+  complaint.require(worth.vacant, 0.0, most_price, "worth of a vacant vehicle", "");
+  complaint.require(worth.serving, 0.0, most_price, "worth of a vehicle that takes a passenger", "");
 }
 
 void expect_shapes(const PlanningData& data) {
@@ -172,6 +178,8 @@ void expect_shapes(const PlanningData& data) {
   EVBAL_EXPECT(is(data.turnover.same_step_dropoffs, n, n), "trips that end within the step N x N");
   EVBAL_EXPECT(data.freed.mean.rows() == n && data.freed.mean.cols() > 0, "vehicles that become vacant N x slots");
   EVBAL_EXPECT(is(data.freed.variance, n, data.freed.mean.cols()), "their variance N x slots");
+  EVBAL_EXPECT(data.worth.vacant.size() == 0 || is(data.worth.vacant, n, 1), "worth of a vehicle N, or none");
+  EVBAL_EXPECT(data.worth.serving.size() == data.worth.vacant.size(), "as many worths of one that serves");
   EVBAL_EXPECT(!data.turnover.demand.linear.empty() &&
                    data.turnover.demand.linear.size() == data.turnover.demand.quadratic.size(),
                "as many linear as quadratic coefficients of demand's variance, at least one");
@@ -203,6 +211,7 @@ std::string validate(const BalancingParameters& parameters, const PlanningData& 
   }
   check_turnover(complaint, data);
   check_freed(complaint, data.freed);
+  check_worth(complaint, data.worth);
   for (std::size_t k = 0; k < data.transitions.size(); ++k) {
     check_transitions(complaint, data.transitions[k], std::to_string(k));
   }

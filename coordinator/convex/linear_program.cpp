@@ -1,6 +1,7 @@
 #include "coordinator/convex/linear_program.hpp"
 
 #include <ClpSimplex.hpp>
+#include <ClpSolve.hpp>
 #include <CoinPackedMatrix.hpp>
 
 #include <algorithm>
@@ -114,6 +115,16 @@ std::shared_ptr<ClpSimplex> LinearProgram::load() const {
   clp->loadProblem(matrix, clp_bounds(lower_).data(), clp_bounds(upper_).data(), cost_.data(),
                    clp_bounds(row_low_).data(), clp_bounds(row_high_).data());
   return clp;
+}
+
+std::optional<Eigen::VectorXd> LinearProgram::multipliers() const {
+  const std::shared_ptr<ClpSimplex> clp = load();
+  ClpSolve interior;
+  interior.setSolveType(ClpSolve::useBarrierNoCross);
+  clp->initialSolve(interior);
+  return clp->isProvenOptimal()
+             ? std::optional<Eigen::VectorXd>(Eigen::Map<const Eigen::VectorXd>(clp->dualRowSolution(), rows()))
+             : std::nullopt;
 }
 
 // For any multipliers y of the rows,  cost'x = (cost - A'y)'x + y'(A x)  is at least what bounds and rows allow term by

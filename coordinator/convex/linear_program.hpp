@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,10 @@ class LinearProgram {
 
   /// This program in Clp, not solved yet; it is fit.
   std::shared_ptr<ClpSimplex> load() const;
+
+  /// The rows' multipliers at the optimum: by how much the objective rises with each unit of a row's sides. By an
+  /// interior point method, which ends amid those that are right if there are several. None if there is no optimum.
+  std::optional<Eigen::VectorXd> multipliers() const;
 
   /// A lower bound of the optimum from the multipliers that Clp ended with: safe against the tolerances of the simplex
   /// method.

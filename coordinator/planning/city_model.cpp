@@ -3,6 +3,7 @@
 #include "common/contract.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace evbal {
@@ -29,6 +30,14 @@ const Transitions& CityModel::transitions_at(int minute) const {
 
 const std::vector<TripShare>& CityModel::trips_at(int minute) const {
   return in_force(trips, minute).shares;
+}
+
+double CityModel::car_value(DayKind kind, int region, double minute) const {
+  const Eigen::MatrixXd& values = car_values[static_cast<std::size_t>(kind)];
+  const auto at = [&](Eigen::Index step) { return step < values.cols() ? values(region, step) : 0.0; };
+  const double steps = std::max(0.0, (minute - day_start) / step_minutes);
+  const auto step = static_cast<Eigen::Index>(steps);
+  return std::lerp(at(step), at(step + 1), steps - static_cast<double>(step));
 }
 
 }  // namespace evbal

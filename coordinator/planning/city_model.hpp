@@ -4,6 +4,7 @@
 #include "coordinator/balancing/problem.hpp"
 #include "coordinator/forecast/seasonal.hpp"
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -45,6 +46,9 @@ struct CityModel {
   SeriesModel completions;            ///< of c
   std::vector<Period> periods;        ///< at least one, by start
   std::vector<TripPeriod> trips;      ///< at least one, by start
+  /// By DayKind, N x steps: what one more vacant car in a region at the start of a step is worth until the day's end,
+  /// in km of empty driving (docs/fit.md); 0 x 0 each if it was not computed.
+  std::array<Eigen::MatrixXd, day_kinds> car_values;
   Turnover turnover;                  ///< of vehicles that serve twice in a step
   double mean_session_minutes = 0.0;  ///< of charging
 
@@ -65,6 +69,10 @@ struct CityModel {
 
   /// Likewise where the trips go that start then.
   const std::vector<TripShare>& trips_at(int minute) const;
+
+  /// What a vacant car is worth in a region at `minute` after midnight, between the starts of two steps along a line: 0
+  /// from the end of the day on, and at any time in a model without values.
+  double car_value(DayKind kind, int region, double minute) const;
 };
 
 /// Reads a file that write_model wrote. Throws Error{bad_input} naming the file and the key that is missing, unknown,

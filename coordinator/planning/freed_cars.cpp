@@ -9,11 +9,6 @@
 namespace evbal {
 namespace {
 
-/// Share of the cars of each region that do not come out low on battery, N.
-Eigen::VectorXd share_fit(const PlanningData& data) {
-  return 1.0 - data.transitions.front().vacant_to_low_battery.rowwise().sum().array();
-}
-
 /// Adds cars on their way, each of which is vacant from the end of the slot in which it arrives.
 void add_under_way(const Report& report, int minute, int slot, double fit, FreedCars& freed) {
   for (const UnderWay& cars : report.bound) {
@@ -65,6 +60,10 @@ double share_served(double wanted, double cars, double again, double most) {
 }
 
 }  // namespace
+
+Eigen::VectorXd share_fit(const PlanningData& data) {
+  return 1.0 - data.transitions.front().vacant_to_low_battery.rowwise().sum().array();
+}
 
 int slots_at(const DayClock& clock, int minute, const BalancingParameters& parameters) {
   return std::clamp((clock.minutes() - minute) / parameters.flow_slot, 1, parameters.flow_slots);

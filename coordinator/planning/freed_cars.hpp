@@ -12,6 +12,9 @@ namespace evbal {
 /// Slots that `flow` looks ahead from `minute` on: as many as the parameters say, fewer at the day's end, at least 1.
 int slots_at(const DayClock& clock, int minute, const BalancingParameters& parameters);
 
+/// Share of the cars whose passenger gets out in each region that do not come out low on battery, N.
+Eigen::VectorXd share_fit(const PlanningData& data);
+
 /// Cars that become vacant in the next `slots` slots if nobody is sent anywhere, of
 ///   - cars under way without passengers, by the minute in which they arrive,
 ///   - cars with passengers, likewise, without the share that comes out low on battery,

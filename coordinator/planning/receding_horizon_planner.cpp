@@ -8,6 +8,7 @@
 #include "coordinator/balancing/send_limits.hpp"
 #include "coordinator/balancing/top_up.hpp"
 #include "coordinator/forecast/foreknowledge.hpp"
+#include "coordinator/planning/car_worth.hpp"
 #include "coordinator/planning/filter_outlook.hpp"
 #include "coordinator/planning/freed_cars.hpp"
 #include "coordinator/planning/planning_data.hpp"
@@ -138,6 +139,7 @@ RecedingHorizonPlanner::RecedingHorizonPlanner(const City& city, const DayClock&
     : clock_(clock),
       settings_(std::move(settings)),
       model_(std::move(model)),
+      kind_(model_.kind(date)),
       km_(city.km),
       minutes_(city.minutes),
       session_quantiles_(city.charging.session_quantiles),
@@ -151,13 +153,12 @@ RecedingHorizonPlanner::RecedingHorizonPlanner(const City& city, const DayClock&
   check_fit(city, clock_, settings_, model_);
   const Eigen::VectorXi points = city.points();
   bounds_.points.assign(points.begin(), points.end());
-  const DayKind kind = model_.kind(date);
   const int start = clock_.start - model_.day_start;
   if (settings_.sensor_faults != SensorFaults::ignore) {
     filter_.emplace(filter_model(city, clock_));
   }
-  demand_ = std::make_unique<SeasonalForecaster>(model_.demand.seasonal, kind, start);
-  completions_ = std::make_unique<SeasonalForecaster>(model_.completions.seasonal, kind, start);
+  demand_ = std::make_unique<SeasonalForecaster>(model_.demand.seasonal, kind_, start);
+  completions_ = std::make_unique<SeasonalForecaster>(model_.completions.seasonal, kind_, start);
 }
 
 void RecedingHorizonPlanner::foresee(const Eigen::MatrixXd& demand_by_tick) {
@@ -207,6 +208,7 @@ PlanningData RecedingHorizonPlanner::data(int minute, const std::vector<Report>&
   data.mean_session_minutes = model_.mean_session_minutes;
   data.freed = freed_cars(data, reports, minute, slots_at(clock_, minute, settings_.balancing), session_quantiles_,
                           model_.trips_at(clock_.start + minute), settings_.balancing);
+  data.worth = car_worth(data, model_, kind_, clock_.start + minute, settings_.balancing);
   data.start = ladder_.memory().start;
   return data;
 }

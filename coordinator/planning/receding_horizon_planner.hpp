@@ -92,6 +92,7 @@ class RecedingHorizonPlanner {
   DayClock clock_;
   PlanningSettings settings_;
   CityModel model_;
+  DayKind kind_;
   Eigen::MatrixXd km_;
   Eigen::MatrixXd minutes_;
   std::vector<double> session_quantiles_;

@@ -20,7 +20,7 @@ struct Price {
   double low;
   double high;
 };
-constexpr std::array<Price, 19> prices{{
+constexpr std::array<Price, 20> prices{{
     {"a", &BalancingParameters::a, 1e-3, 2.0},
     {"theta_0", &BalancingParameters::theta_0, 0.0, 1e6},
     {"eps", &BalancingParameters::eps, 1e-3, 1e3},
@@ -40,6 +40,7 @@ constexpr std::array<Price, 19> prices{{
     {"flow_patience", &BalancingParameters::flow_patience, 0.0, 60.0},
     {"flow_served", &BalancingParameters::flow_served, 0.0, 1.0},
     {"flow_pickup", &BalancingParameters::flow_pickup, 0.0, 60.0},
+    {"flow_value", &BalancingParameters::flow_value, 0.0, 10.0},
 }};
 
 struct Count {

@@ -53,7 +53,7 @@ PlanningData renamed(PlanningData data, const Permutation& one) {
   square(data.minutes);
   square(data.turnover.same_step_dropoffs);
   for (auto* vector : {&data.state.vacant, &data.state.chargeable, &data.state.occupied, &data.state.low_battery,
-                       &data.state.plugged, &data.state.waiting}) {
+                       &data.state.plugged, &data.state.waiting, &data.worth.vacant, &data.worth.serving}) {
     rows(*vector);
   }
   auto reach = data.state.reach;
@@ -117,6 +117,8 @@ RC_GTEST_PROP(ControllersProperty, UnitsOfLengthDoNotMatter, ()) {
   const double factor = *rc::gen::element(0.1, 0.5, 1.6, 7.0);
   const double expected = factor * optimum_by_any_engine(controller, data, parameters);
   data.km *= factor;
+  data.worth.vacant *= factor;
+  data.worth.serving *= factor;
   for (auto price : {&BalancingParameters::m1, &BalancingParameters::flow_m1, &BalancingParameters::m2,
                      &BalancingParameters::theta_0, &BalancingParameters::omega, &BalancingParameters::pi_e,
                      &BalancingParameters::p_shortage, &BalancingParameters::p_surplus, &BalancingParameters::p_ratio,
@@ -130,7 +132,8 @@ RC_GTEST_PROP(ControllersProperty, UnitsOfLengthDoNotMatter, ()) {
 
 // At fixed h, without a surplus. With one step the band stands at  h = (1 + eta) sum r / sum V.
 RC_GTEST_PROP(ControllersProperty, MoreVehiclesNeverCostMore, ()) {
-  const auto data = any_data(1);
+  auto data = any_data(1);
+  data.worth = {};  // else each vehicle costs what it would be worth more elsewhere
   const double fleet = data.state.vacant.sum();
   RC_PRE(fleet >= 1.0);
   auto more = data;

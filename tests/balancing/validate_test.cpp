@@ -54,6 +54,8 @@ std::vector<Datum> all_data() {
       {"variance, quadratic", [](auto& d, auto&) -> double& { return d.turnover.demand.quadratic[0]; }},
       {"freed", [](auto& d, auto&) -> double& { return d.freed.mean(1, 2); }},
       {"freed, variance", [](auto& d, auto&) -> double& { return d.freed.variance(1, 2); }},
+      {"worth, vacant", [](auto& d, auto&) -> double& { return d.worth.vacant(1); }},
+      {"worth, serving", [](auto& d, auto&) -> double& { return d.worth.serving(0); }},
       {"step_minutes", [](auto& d, auto&) -> double& { return d.step_minutes; }},
       {"mean_session_minutes", [](auto& d, auto&) -> double& { return d.mean_session_minutes; }},
       {"a", [](auto&, auto& p) -> double& { return p.a; }},
@@ -67,6 +69,7 @@ std::vector<Datum> all_data() {
       {"p_ratio", [](auto&, auto& p) -> double& { return p.p_ratio; }},
       {"p_flow", [](auto&, auto& p) -> double& { return p.p_flow; }},
       {"flow_end", [](auto&, auto& p) -> double& { return p.flow_end; }},
+      {"flow_value", [](auto&, auto& p) -> double& { return p.flow_value; }},
   };
 }
 

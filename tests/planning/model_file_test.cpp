@@ -52,6 +52,8 @@ TEST_F(ModelFile, GivesBackEveryBit) {
   CityModel model = testing::small_model();
   model.demand.seasonal.mean[1](2, 7) = 0.1 + 0.2;
   model.completions.errors.covariance.factors = Eigen::MatrixXd(6, 0);
+  model.car_values.fill(Eigen::MatrixXd::Constant(3, 38, 0.125));
+  model.car_values[2](1, 37) = 0.3;
   const std::string text = written(model);
   const CityModel back = read_model(file_);
   EXPECT_EQ(back.demand.seasonal.mean, model.demand.seasonal.mean);
@@ -65,6 +67,7 @@ TEST_F(ModelFile, GivesBackEveryBit) {
   ASSERT_EQ(back.trips.size(), 2U);
   EXPECT_EQ(back.trips[0].shares[4].destination, 2);
   EXPECT_EQ(back.trips[0].shares[4].share, 0.25);
+  EXPECT_EQ(back.car_values, model.car_values);
   EXPECT_EQ(written(back), text);
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1) << "nothing half-written stays";
 }
@@ -106,7 +109,7 @@ TEST_F(ModelFile, RefusesWhatDoesNotFit) {
   const std::string good = written(testing::small_model());
   expect_refused(good.substr(0, good.size() / 2), "JSON");
   expect_refused(replaced(good, "\"schema\"", "\"city\": \"x\", \"schema\""), "twice");
-  expect_refused(replaced(good, "\"schema\": 4", "\"schema\": 3"), "anew by `evbal fit`");
+  expect_refused(replaced(good, "\"schema\": 5", "\"schema\": 4"), "anew by `evbal fit`");
   expect_refused(replaced(good, "\"mean_session_minutes\"", "\"mean_session\""), "mean_session_minutes");
   expect_refused(replaced(good, "\"holidays\"", "\"extra\": 1, \"holidays\""), "extra");
   expect_refused(replaced(good, "\"regions\": 3", "\"regions\": 4"), "4 lists");
@@ -149,6 +152,11 @@ TEST_F(ModelFile, RefusesAbsurdNumbers) {
   expect_refused_model("demand.region[1].ma", [](CityModel& m) { m.demand.seasonal.region[1].ma(0) = 1.5; });
   expect_refused_model("day_start", [](CityModel& m) { m.day_start = 5 * 60 + 1; });
   expect_refused_model("holidays", [](CityModel& m) { m.holidays = {"2008-02-30"}; });
+  expect_refused_model("car_values.weekday", [](CityModel& m) { m.car_values.fill(Eigen::MatrixXd::Ones(3, 37)); });
+  expect_refused_model("car_values.sunday", [](CityModel& m) {
+    m.car_values.fill(Eigen::MatrixXd::Ones(3, 38));
+    m.car_values[2](0, 0) = -1.0;
+  });
   expect_refused_model("turnover.same_step_dropoffs",
                        [](CityModel& m) { m.turnover.same_step_dropoffs.setConstant(0.34); });
 }
@@ -167,6 +175,19 @@ TEST(CityModel, KnowsHolidaysAndPeriods) {
   EXPECT_EQ(&model.transitions_at(0), &model.periods[0].transitions);
   EXPECT_EQ(&model.trips_at(7 * 60 - 1), &model.trips[0].shares);
   EXPECT_EQ(&model.trips_at(7 * 60), &model.trips[1].shares);
+}
+
+TEST(CityModel, ValuesCarsBetweenTheStartsOfSteps) {
+  CityModel model = testing::small_model();
+  EXPECT_EQ(model.car_value(DayKind::weekday, 1, 400.0), 0.0) << "a model without values";
+  model.car_values.fill(Eigen::MatrixXd::Constant(3, 38, 8.0));
+  model.car_values[0](1, 4) = 6.0;
+  EXPECT_DOUBLE_EQ(model.car_value(DayKind::weekday, 1, 5 * 60 + 4 * 30), 6.0);
+  EXPECT_DOUBLE_EQ(model.car_value(DayKind::weekday, 1, 5 * 60 + 4 * 30 + 7.5), 6.5);
+  EXPECT_DOUBLE_EQ(model.car_value(DayKind::sunday, 1, 5 * 60 + 4 * 30 + 7.5), 8.0);
+  EXPECT_DOUBLE_EQ(model.car_value(DayKind::weekday, 1, 0.0), 8.0) << "before the day as at its start";
+  EXPECT_DOUBLE_EQ(model.car_value(DayKind::weekday, 1, 24 * 60 - 15), 4.0);
+  EXPECT_DOUBLE_EQ(model.car_value(DayKind::weekday, 1, 24 * 60 + 40), 0.0);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "common/error.hpp"
 #include "common/parallel.hpp"
+#include "tools/fit/car_values.hpp"
 #include "tools/fit/training_day.hpp"
 #include "tools/fit/trip_shares.hpp"
 #include "tools/fit/turnover_fit.hpp"
@@ -190,6 +191,12 @@ CityFit fit_city(const City& city, int leads, const std::function<void(const std
   fit.model.periods = transitions.empty() ? periods_of(periods) : transitions;
   fit.model.turnover.demand = fit_count_variance(fit.demand.training, leads);
   fit.model.turnover.same_step_dropoffs = rounded(same_step_dropoffs(city, training, city.step_minutes));
+  if (city.size() <= most_regions_with_values) {
+    tell("values of cars: a day of each kind, planned at once");
+    parallel_for(fit.model.car_values.size(), [&](std::size_t kind) {
+      fit.model.car_values[kind] = car_values(city, fit.model, static_cast<DayKind>(kind));
+    });
+  }
   tell("turnover on " + std::to_string(days_of_phi(city)) + " of the training days, with several phi");
   fit.phi = try_phi(city, training, fit.model);
   fit.model.turnover.phi = std::ranges::min_element(fit.phi, {}, &PhiTrial::cost)->phi;

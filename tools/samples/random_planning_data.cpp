@@ -112,6 +112,9 @@ PlanningData random_planning_data(std::uint64_t seed, const DataShape& shape) {
     data.freed.mean.col(k) = before + matrix(n, 1, [&] { return random.uniform(0.0, 0.1 * cars); });
   }
   data.freed.variance = 0.5 * data.freed.mean;
+  const auto worth = [&] { return random.uniform(0.0, 20.0); };
+  data.worth.vacant = matrix(n, 1, worth);
+  data.worth.serving = matrix(n, 1, worth);
   return data;
 }
 

@@ -1,6 +1,6 @@
-#include "common/files.hpp"
 #include "coordinator/planning/city_model.hpp"
 #include "coordinator/planning/json_reader.hpp"
+#include "coordinator/planning/model_keys.hpp"
 #include "coordinator/planning/report_check.hpp"
 
 #include <nlohmann/json.hpp>
@@ -14,113 +14,15 @@ namespace evbal {
 namespace {
 
 using nlohmann::json;
+using namespace model_keys;
 
-constexpr int schema = 4;
 // No city comes near these; far beyond them a problem has numbers that no solver can scale.
 constexpr double most_a_minute = most_passengers_a_minute;  // mean count of a region
 constexpr double most_deviation = 1e3;                      // of errors in units of their scale, 1 for Poisson counts
 constexpr double most_threshold = 1e4;                      // g1, g2
 constexpr double most_square = most_deviation * most_deviation;
 constexpr double most_coefficient = 10.0;  // of autoregressions and moving averages that die away
-constexpr std::array<const char*, day_kinds> kind_names{"weekday", "saturday", "sunday"};
-
-using TransitionKey = std::pair<const char*, Eigen::MatrixXd Transitions::*>;
-constexpr std::array<TransitionKey, 5> transition_keys{{
-    {"vacant_to_vacant", &Transitions::vacant_to_vacant},
-    {"vacant_to_occupied", &Transitions::vacant_to_occupied},
-    {"vacant_to_low_battery", &Transitions::vacant_to_low_battery},
-    {"occupied_to_vacant", &Transitions::occupied_to_vacant},
-    {"occupied_to_occupied", &Transitions::occupied_to_occupied},
-}};
-
-json to_json(const Eigen::MatrixXd& matrix) {
-  json rows = json::array();
-  for (const auto& row : matrix.rowwise()) {
-    rows.push_back(std::vector<double>(row.begin(), row.end()));
-  }
-  return rows;
-}
-
-/// The same, with rows that are mostly 0 as their other numbers and their columns.
-json sparse_to_json(const Eigen::MatrixXd& matrix) {
-  json rows = json::array();
-  for (const auto& row : matrix.rowwise()) {
-    std::vector<Eigen::Index> columns;
-    std::vector<double> values;
-    for (Eigen::Index column = 0; column < row.size(); ++column) {
-      if (row(column) != 0.0) {
-        columns.push_back(column);
-        values.push_back(row(column));
-      }
-    }
-    if (2 * (columns.size() + 4) < static_cast<std::size_t>(row.size())) {
-      rows.push_back({{"columns", columns}, {"values", values}});
-    } else {
-      rows.push_back(std::vector<double>(row.begin(), row.end()));
-    }
-  }
-  return rows;
-}
-
-json to_json(const Eigen::VectorXd& vector) {
-  return std::vector<double>(vector.begin(), vector.end());
-}
-
-json to_json(const ArmaModel& arma) {
-  return {{"ar", to_json(arma.ar)}, {"ma", to_json(arma.ma)}, {"variance", arma.variance}};
-}
-
-json to_json(const SeriesModel& series) {
-  json mean;
-  for (std::size_t kind = 0; kind < kind_names.size(); ++kind) {
-    mean[kind_names[kind]] = to_json(series.seasonal.mean[kind]);
-  }
-  json region = json::array();
-  for (const ArmaModel& arma : series.seasonal.region) {
-    region.push_back(to_json(arma));
-  }
-  std::vector<double> g1;
-  std::vector<double> g2;
-  for (const Thresholds& thresholds : series.errors.thresholds) {
-    g1.push_back(thresholds.g1);
-    g2.push_back(thresholds.g2);
-  }
-  return {{"mean", mean},
-          {"city", to_json(series.seasonal.city)},
-          {"region", region},
-          {"deviation", to_json(series.errors.covariance.deviation)},
-          {"factors", to_json(series.errors.covariance.factors)},
-          {"g1", g1},
-          {"g2", g2},
-          {"alarm", series.errors.alarm}};
-}
-
-json to_json(const Period& period) {
-  json out{{"start", period.start}};
-  for (const auto& [key, matrix] : transition_keys) {
-    out[key] = sparse_to_json(period.transitions.*matrix);
-  }
-  return out;
-}
-
-json to_json(const TripPeriod& period) {
-  std::vector<int> from;
-  std::vector<int> to;
-  std::vector<double> share;
-  for (const TripShare& trips : period.shares) {
-    from.push_back(trips.origin);
-    to.push_back(trips.destination);
-    share.push_back(trips.share);
-  }
-  return {{"start", period.start}, {"from", from}, {"to", to}, {"share", share}};
-}
-
-json to_json(const Turnover& turnover) {
-  return {{"phi", turnover.phi},
-          {"variance_linear", turnover.demand.linear},
-          {"variance_quadratic", turnover.demand.quadratic},
-          {"same_step_dropoffs", sparse_to_json(turnover.same_step_dropoffs)}};
-}
+constexpr double most_value = 1e6;         // of a car, in km
 
 struct Shape {
   int regions = 0;
@@ -149,15 +51,21 @@ ArmaModel read_arma(JsonObject in) {
   return arma;
 }
 
+/// A number for each region and step of a day of each kind.
+std::array<Eigen::MatrixXd, day_kinds> read_by_kind(JsonObject in, const Shape& shape, double most) {
+  std::array<Eigen::MatrixXd, day_kinds> by_kind;
+  for (std::size_t kind = 0; kind < kind_names.size(); ++kind) {
+    by_kind[kind] = in.matrix(kind_names[kind], shape.regions, shape.steps, 0.0, most);
+  }
+  in.finish();
+  return by_kind;
+}
+
 SeriesModel read_series(JsonObject in, const Shape& shape) {
   SeriesModel series;
   series.seasonal.step_minutes = shape.step_minutes;
   const double most_mean = most_a_minute * shape.step_minutes;
-  JsonObject mean = in.object("mean");
-  for (std::size_t kind = 0; kind < kind_names.size(); ++kind) {
-    series.seasonal.mean[kind] = mean.matrix(kind_names[kind], shape.regions, shape.steps, 0.0, most_mean);
-  }
-  mean.finish();
+  series.seasonal.mean = read_by_kind(in.object("mean"), shape, most_mean);
   series.seasonal.city = read_arma(in.object("city"));
   for (JsonObject& region : in.objects("region")) {
     series.seasonal.region.push_back(read_arma(region));
@@ -272,15 +180,6 @@ auto read_periods(JsonObject& in, const char* key, const ReadPeriod& read) {
   return periods;
 }
 
-template <class AnyPeriod>
-json all_to_json(const std::vector<AnyPeriod>& periods) {
-  json all = json::array();
-  for (const AnyPeriod& period : periods) {
-    all.push_back(to_json(period));
-  }
-  return all;
-}
-
 }  // namespace
 
 CityModel read_model(const std::filesystem::path& file) {
@@ -309,35 +208,13 @@ CityModel read_model(const std::filesystem::path& file) {
   model.completions = read_series(in.object("completions"), shape);
   model.periods = read_periods(in, "periods", [&](const JsonObject& period) { return read_period(period, shape); });
   model.trips = read_periods(in, "trips", [&](const JsonObject& period) { return read_trip_period(period, shape); });
+  if (in.has("car_values")) {
+    model.car_values = read_by_kind(in.object("car_values"), shape, most_value);
+  }
   model.turnover = read_turnover(in.object("turnover"), shape);
   model.mean_session_minutes = in.number("mean_session_minutes", 1.0, 24.0 * 60.0);
   in.finish();
   return model;
-}
-
-void write_model(const CityModel& model, const std::filesystem::path& file) {
-  std::vector<std::pair<std::string, json>> entries{
-      {"schema", schema},
-      {"city", model.city},
-      {"regions", model.regions()},
-      {"steps", model.steps()},
-      {"leads", model.leads()},
-      {"day_start", model.day_start},
-      {"step_minutes", model.step_minutes},
-      {"holidays", model.holidays},
-      {"mean_session_minutes", model.mean_session_minutes},
-      {"demand", to_json(model.demand)},
-      {"completions", to_json(model.completions)},
-      {"turnover", to_json(model.turnover)},
-      {"periods", all_to_json(model.periods)},
-      {"trips", all_to_json(model.trips)},
-  };
-
-  std::string text;
-  for (const auto& [key, value] : entries) {
-    text += (text.empty() ? "{\n\"" : ",\n\"") + std::string(key) + "\": " + value.dump();
-  }
-  write_file(file, text + "\n}\n");
 }
 
 }  // namespace evbal
