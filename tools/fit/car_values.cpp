@@ -19,9 +19,8 @@
 // Cars are a fluid, in the steps k = 0..K-1 of the day. They start where the first passengers are.
 //
 //   x_ij(k)   cars that drive empty from i to j, km w_ij
-//   z_i(k,m)  cars that are in i in step k if they are the m-th part of those there: between two neighbouring values v
-//   of
-//             the number of passengers M_i(k), who are a Poisson count. Such a car gets a passenger with q = P(M >= v)
+//   z_i(k,m)  cars in i in step k that are the m-th part of those there, between two neighbouring values v of the
+//             number of passengers M_i(k), a Poisson count. Such a car gets a passenger with q = P(M >= v)
 //
 //   sum_m z_i(k,m) + sum_j x_ij(k)  =  sum_m (1 - q) z_i(k-1,m)  +  those that arrive in i        row (i, k)
 //   min  sum w_ij x_ij(k)  -  p sum q z_i(k,m)
@@ -37,7 +36,7 @@ namespace {
 constexpr int neighbours = 12;       // as many ways out of a region as in BalancingParameters
 constexpr double least = 1.0 / 8.0;  // of a Poisson count's values, so few parts of cars
 constexpr double more = 1e-3;        // cars
-constexpr int steps_at_start = 4;    // of the day, whose passengers say where cars start
+constexpr int start_minutes = 120;   // of the day, whose passengers say where cars start
 
 class DayProgram {
  public:
@@ -46,10 +45,10 @@ class DayProgram {
         model_(model),
         demand_(model.demand.seasonal.mean.at(static_cast<std::size_t>(kind))),
         K_(model.steps()),
-        rows_(static_cast<std::size_t>(city.size() * K_)),
+        rows_(city.regions.size() * static_cast<std::size_t>(K_)),
         lp_(ConvexProgram{}) {
     const double cars = city.fleet.vehicles - charging(kind);
-    start_ = demand_.leftCols(std::min(steps_at_start, K_)).rowwise().sum();
+    start_ = demand_.leftCols(std::clamp(start_minutes / model.step_minutes, 1, K_)).rowwise().sum();
     start_ *= start_.sum() > 0.0 ? cars / start_.sum() : 0.0;
     const double price = trip_km();
     const std::vector<Arc> arcs = vacant_arcs(city.km, std::numeric_limits<double>::infinity(), neighbours);
@@ -150,7 +149,9 @@ class DayProgram {
     }
   }
 
-  std::vector<Entry>& row(int k, int i) { return rows_[static_cast<std::size_t>(k * city_.size() + i)]; }
+  std::vector<Entry>& row(int k, int i) {
+    return rows_[static_cast<std::size_t>(k) * city_.regions.size() + static_cast<std::size_t>(i)];
+  }
 
   void write_rows() {
     for (std::size_t r = 0; r < rows_.size(); ++r) {

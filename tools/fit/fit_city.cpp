@@ -191,7 +191,7 @@ CityFit fit_city(const City& city, int leads, const std::function<void(const std
   fit.model.periods = transitions.empty() ? periods_of(periods) : transitions;
   fit.model.turnover.demand = fit_count_variance(fit.demand.training, leads);
   fit.model.turnover.same_step_dropoffs = rounded(same_step_dropoffs(city, training, city.step_minutes));
-  if (city.size() <= most_regions_with_values) {
+  if (city.size() * city.steps_per_day() <= most_car_values) {
     tell("values of cars: a day of each kind, planned at once");
     parallel_for(fit.model.car_values.size(), [&](std::size_t kind) {
       fit.model.car_values[kind] = car_values(city, fit.model, static_cast<DayKind>(kind));
