@@ -45,7 +45,7 @@ struct BalancingParameters {
   double flow_patience = 9.0;  ///< minutes that a passenger may wait for a car without cost
   double flow_served = 0.95;   ///< at most this share of the passengers to come is served and gets out again
   double flow_pickup = 2.0;    ///< minutes that a passenger who is served waits
-  double flow_value = 0.6;     ///< share of CarWorth that counts
+  double flow_value = 0.0;     ///< share of CarWorth that counts
 };
 
 /// Vehicles as they stand when a plan is made; all N, in vehicles.

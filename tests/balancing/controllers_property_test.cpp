@@ -30,6 +30,7 @@ PlanningData any_data(int tau) {
 BalancingParameters any_parameters() {
   BalancingParameters parameters;
   parameters.supply = *rc::gen::element(Supply::completions, Supply::points);
+  parameters.flow_value = *rc::gen::element(0.0, 0.6);
   return parameters;
 }
 

@@ -137,18 +137,17 @@ TEST(Flow, SendsCarsWhereTheyWillBeWorthMore) {
   PlanningData data = empty_city(2);
   data.state.vacant << 2.0, 0.0;
   data.worth = {Eigen::Vector2d(10.0, 20.0), Eigen::Vector2d::Zero()};
-  const BalancingResult sent = flow(data);
+  BalancingParameters parameters;
+  EXPECT_TRUE(flow(data).dispatch.vacant.front().empty()) << "unless it is asked for";
+  parameters.flow_value = 0.6;
+  const BalancingResult sent = flow(data, parameters);
   ASSERT_EQ(sent.dispatch.vacant.front().size(), 1U);
   EXPECT_NEAR(sent.dispatch.vacant.front()[0].amount, 2.0, 1e-6) << "6 km gained with 5";
   EXPECT_NEAR(cost_of("worth", sent), 0.0, 1e-6);
   data.worth.vacant(1) = 18.0;
-  const BalancingResult stayed = flow(data);
+  const BalancingResult stayed = flow(data, parameters);
   EXPECT_TRUE(stayed.dispatch.vacant.front().empty()) << "4.8 km are not";
   EXPECT_NEAR(cost_of("worth", stayed), 2.0 * 4.8, 1e-6);
-  data.worth.vacant(1) = 100.0;
-  BalancingParameters blind;
-  blind.flow_value = 0.0;
-  EXPECT_TRUE(flow(data, blind).dispatch.vacant.front().empty());
 }
 
 // One car, a passenger in each of two regions: the one whose way leads to where cars are worth more is taken.
@@ -157,16 +156,18 @@ TEST(Flow, TakesThePassengerAfterWhomTheCarIsWorthMore) {
   data.state.vacant << 1.0, 0.0, 0.0;
   data.state.waiting << 0.0, 1.25, 1.25;
   data.worth = {Eigen::Vector3d::Constant(10.0), Eigen::Vector3d(0.0, 5.0, 8.0)};
-  const BalancingResult result = flow(data, {}, Uncertainty::mean);
+  BalancingParameters parameters;
+  parameters.flow_value = 0.6;
+  const BalancingResult result = flow(data, parameters, Uncertainty::mean);
   ASSERT_EQ(result.dispatch.vacant.front().size(), 1U);
   EXPECT_EQ(result.dispatch.vacant.front()[0].to, 2);
   std::swap(data.worth.serving(1), data.worth.serving(2));
-  EXPECT_EQ(flow(data, {}, Uncertainty::mean).dispatch.vacant.front()[0].to, 1);
+  EXPECT_EQ(flow(data, parameters, Uncertainty::mean).dispatch.vacant.front()[0].to, 1);
   data.worth.serving.setZero();
   data.worth.vacant.setConstant(1e4);
-  BalancingParameters end;
-  end.flow_end = 1.0;
-  EXPECT_TRUE(flow(data, end, Uncertainty::mean).dispatch.vacant.front().empty()) << "no passenger is worth the car";
+  parameters.flow_end = 1.0;
+  EXPECT_TRUE(flow(data, parameters, Uncertainty::mean).dispatch.vacant.front().empty())
+      << "no passenger is worth the car";
 }
 
 TEST(Flow, StartsFromTheCurvesOfTheLastPlanAlone) {
