@@ -22,11 +22,9 @@ class FlowFormulator {
         N_(static_cast<int>(data.km.rows())),
         K_(static_cast<int>(data.freed.mean.cols())),
         in_(K_, Expressions(N_)),
-        out_(K_, Expressions(N_)) {
-    for (int i = 0; i < N_; ++i) {
-      most_lambda_ = std::max(most_lambda_, lambda(i));
-    }
-  }
+        out_(K_, Expressions(N_)),
+        lambda_(weighted(data.worth.vacant)),
+        mu_(weighted(data.worth.serving)) {}
 
   std::vector<ArcFlow> formulate(const std::vector<ArcFlow>& top_ups) {
     const int back = slot_of(data_.mean_session_minutes / p_.flow_slot);
@@ -93,8 +91,8 @@ class FlowFormulator {
       C -= out_[k][i];
       C = minimise_hinges(program_, C, missed(k, i), {"cars", k, i});
     }
-    if (most_lambda_ > 0.0) {
-      program_.minimise("worth", (most_lambda_ - lambda(i)) * C);
+    if (const double most = lambda_.maxCoeff(); most > 0.0) {
+      program_.minimise("worth", (most - lambda_(i)) * C);
     }
   }
 
@@ -112,12 +110,13 @@ class FlowFormulator {
   double price(int k, int i) const {
     const bool last = k + 1 == K_;
     const double price = p_.p_flow * ((1.0 - p_.flow_end) / K_ + (last ? p_.flow_end : 0.0));
-    return last ? std::max(0.0, price + mu(i) - lambda(i)) : price;
+    return last ? std::max(0.0, price + mu_(i) - lambda_(i)) : price;
   }
 
-  // theta lambda_i and theta mu_i
-  double lambda(int i) const { return data_.worth.vacant.size() == 0 ? 0.0 : p_.flow_value * data_.worth.vacant(i); }
-  double mu(int i) const { return data_.worth.serving.size() == 0 ? 0.0 : p_.flow_value * data_.worth.serving(i); }
+  // theta times a worth, 0 where none is known
+  Eigen::VectorXd weighted(const Eigen::VectorXd& worth) const {
+    return worth.size() == 0 ? Eigen::VectorXd(Eigen::VectorXd::Zero(N_)) : Eigen::VectorXd(p_.flow_value * worth);
+  }
 
   // N_i(k)
   DiscreteDistribution passengers(int k, int i) const {
@@ -137,7 +136,8 @@ class FlowFormulator {
   int K_;
   std::vector<Expressions> in_;   // by slot and region
   std::vector<Expressions> out_;  // likewise
-  double most_lambda_ = 0.0;
+  Eigen::VectorXd lambda_;        // theta lambda_i
+  Eigen::VectorXd mu_;            // theta mu_i
 };
 
 }  // namespace

@@ -208,7 +208,9 @@ PlanningData RecedingHorizonPlanner::data(int minute, const std::vector<Report>&
   data.mean_session_minutes = model_.mean_session_minutes;
   data.freed = freed_cars(data, reports, minute, slots_at(clock_, minute, settings_.balancing), session_quantiles_,
                           model_.trips_at(clock_.start + minute), settings_.balancing);
-  data.worth = car_worth(data, model_, kind_, clock_.start + minute, settings_.balancing);
+  if (settings_.balancing.flow_value > 0.0) {
+    data.worth = car_worth(data, model_, kind_, clock_.start + minute, settings_.balancing);
+  }
   data.start = ladder_.memory().start;
   return data;
 }

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace evbal {
@@ -33,15 +32,14 @@ TEST(CarValues, AreThePassengersToComeLessTheWay) {
 // Nobody gains by waiting or driving: otherwise the day would not be the best.
 TEST(CarValues, LeaveNothingToBeGained) {
   const City city = read_city(test::in_source("experiments/cities/toy-5"));
-  const CityModel model = read_model(test::in_source("experiments/cities/toy-5/model.json"));
+  CityModel model = read_model(test::in_source("experiments/cities/toy-5/model.json"));
   for (int kind = 0; kind < day_kinds; ++kind) {
     const Eigen::MatrixXd values = car_values(city, model, static_cast<DayKind>(kind));
     EXPECT_GE(values.minCoeff(), 0.0);
     EXPECT_GT(values(0, 0), values.mean());
+    model.car_values.at(static_cast<std::size_t>(kind)) = values;
     const auto value = [&](int region, double step) {
-      const auto k = static_cast<Eigen::Index>(step);
-      const auto at = [&](Eigen::Index column) { return column < values.cols() ? values(region, column) : 0.0; };
-      return std::lerp(at(k), at(k + 1), step - static_cast<double>(k));
+      return model.car_value(static_cast<DayKind>(kind), region, model.day_start + model.step_minutes * step);
     };
     for (int k = 0; k < values.cols(); ++k) {
       for (const Arc& arc : vacant_arcs(city.km, std::numeric_limits<double>::infinity(), 12)) {

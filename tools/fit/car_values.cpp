@@ -33,7 +33,6 @@
 namespace evbal {
 namespace {
 
-constexpr int neighbours = 12;       // as many ways out of a region as in BalancingParameters
 constexpr double least = 1.0 / 8.0;  // of a Poisson count's values, so few parts of cars
 constexpr double more = 1e-3;        // cars
 constexpr int start_minutes = 120;   // of the day, whose passengers say where cars start
@@ -51,7 +50,8 @@ class DayProgram {
     start_ = demand_.leftCols(std::clamp(start_minutes / model.step_minutes, 1, K_)).rowwise().sum();
     start_ *= start_.sum() > 0.0 ? cars / start_.sum() : 0.0;
     const double price = trip_km();
-    const std::vector<Arc> arcs = vacant_arcs(city.km, std::numeric_limits<double>::infinity(), neighbours);
+    const std::vector<Arc> arcs =
+        vacant_arcs(city.km, std::numeric_limits<double>::infinity(), BalancingParameters{}.neighbours);
     for (int k = 0; k < K_; ++k) {
       for (const Arc& arc : arcs) {
         drive(k, arc);
@@ -127,42 +127,43 @@ class DayProgram {
   void part(int k, int i, double most, double served, const std::vector<TripShare>& trips, double price) {
     const int column = lp_.add_column(0.0, most, -price * served);
     leave(k, i, column);
-    if (k + 1 < K_) {
-      row(k + 1, i).emplace_back(column, served - 1.0);
-    }
+    enter(k + 1, i, column, 1.0 - served);
     for (std::size_t trip = 0; served > 0.0 && trip < trips.size(); ++trip) {
       const auto& [from, to, share] = trips[trip];
       arrive(k, to, BalancingParameters{}.flow_pickup + city_.minutes(from, to), column, served * share);
     }
   }
 
-  void leave(int k, int i, int column) { row(k, i).emplace_back(column, 1.0); }
+  void leave(int k, int i, int column) { add(k, i, column, 1.0); }
+
+  void enter(int k, int i, int column, double share) {
+    if (k < K_) {
+      add(k, i, column, -share);
+    }
+  }
 
   void arrive(int k, int j, double minutes, int column, double share) {
     const double steps = minutes / model_.step_minutes;
     const int whole = static_cast<int>(steps);
     const double late = steps - whole;
-    for (const auto& [at, part] : {std::pair(k + whole, 1.0 - late), std::pair(k + whole + 1, late)}) {
-      if (at < K_) {
-        row(at, j).emplace_back(column, -share * part);
-      }
-    }
+    enter(k + whole, j, column, share * (1.0 - late));
+    enter(k + whole + 1, j, column, share * late);
   }
 
-  std::vector<Entry>& row(int k, int i) {
-    return rows_[static_cast<std::size_t>(k) * city_.regions.size() + static_cast<std::size_t>(i)];
+  // Columns are written one after the other, so that what a row has of one stands at its end.
+  void add(int k, int i, int column, double coefficient) {
+    std::vector<Entry>& row = rows_[static_cast<std::size_t>(k) * city_.regions.size() + static_cast<std::size_t>(i)];
+    if (!row.empty() && row.back().first == column) {
+      row.back().second += coefficient;
+    } else {
+      row.emplace_back(column, coefficient);
+    }
   }
 
   void write_rows() {
     for (std::size_t r = 0; r < rows_.size(); ++r) {
-      std::ranges::stable_sort(rows_[r], {}, &Entry::first);
-      for (std::size_t at = 0; at < rows_[r].size();) {
-        const int column = rows_[r][at].first;
-        double sum = 0.0;
-        for (; at < rows_[r].size() && rows_[r][at].first == column; ++at) {
-          sum += rows_[r][at].second;
-        }
-        lp_.add(column, sum);
+      for (const auto& [column, coefficient] : rows_[r]) {
+        lp_.add(column, coefficient);
       }
       const double cars = more + (r < city_.regions.size() ? start_(static_cast<Eigen::Index>(r)) : 0.0);
       lp_.end_row(cars, cars);
