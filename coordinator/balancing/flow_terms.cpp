@@ -23,6 +23,8 @@ class FlowFormulator {
         K_(static_cast<int>(data.freed.mean.cols())),
         in_(K_, Expressions(N_)),
         out_(K_, Expressions(N_)),
+        theta_(data.worth.vacant.size() == 0 ? 0.0 : parameters.flow_value),
+        end_((1.0 - theta_) * parameters.flow_end),
         lambda_(weighted(data.worth.vacant)),
         mu_(weighted(data.worth.serving)) {}
 
@@ -109,13 +111,13 @@ class FlowFormulator {
   // p_ik
   double price(int k, int i) const {
     const bool last = k + 1 == K_;
-    const double price = p_.p_flow * ((1.0 - p_.flow_end) / K_ + (last ? p_.flow_end : 0.0));
+    const double price = p_.p_flow * ((1.0 - end_) / K_ + (last ? end_ : 0.0));
     return last ? std::max(0.0, price + mu_(i) - lambda_(i)) : price;
   }
 
-  // theta times a worth, 0 where none is known
+  // theta times a worth
   Eigen::VectorXd weighted(const Eigen::VectorXd& worth) const {
-    return worth.size() == 0 ? Eigen::VectorXd(Eigen::VectorXd::Zero(N_)) : Eigen::VectorXd(p_.flow_value * worth);
+    return worth.size() == 0 ? Eigen::VectorXd(Eigen::VectorXd::Zero(N_)) : Eigen::VectorXd(theta_ * worth);
   }
 
   // N_i(k)
@@ -136,6 +138,8 @@ class FlowFormulator {
   int K_;
   std::vector<Expressions> in_;   // by slot and region
   std::vector<Expressions> out_;  // likewise
+  double theta_;                  // flow_value; 0 where no worth is known
+  double end_;                    // (1 - theta) flow_end
   Eigen::VectorXd lambda_;        // theta lambda_i
   Eigen::VectorXd mu_;            // theta mu_i
 };

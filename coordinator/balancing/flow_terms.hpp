@@ -24,7 +24,7 @@
 //   min  sum w_ij x_ij(m)  +  sum p_ik E[(N_i(k) - C_i(k))_+]                   terms "km" and "shortage"
 //                          +  sum theta (max lambda - lambda_i) C_i(K-1)        term "worth"
 //        p_ik = p_f (1 - end) / K,  but  ((1 - end) / K + end) p_f + theta (mu_i - lambda_i)  in the last slot,
-//        and at least 0; theta = flow_value
+//        and at least 0; theta = flow_value, 0 where no worth is known; end = (1 - theta) flow_end
 //
 // At the end of the last slot a car that is left over is worth lambda_i, one that took a passenger mu_i (CarWorth). All
 // cars together being as many wherever they are, what is paid for is that some are not where they are worth most.

@@ -123,7 +123,7 @@ void check_parameters(Complaint& complaint, const BalancingParameters& p) {
   complaint.require(p.flow_patience, 0.0, most_minutes, "parameter flow_patience");
   complaint.require(p.flow_slot, 1.0, most_minutes, "parameter flow_slot");
   complaint.require(p.flow_m1, 0.0, infinity, "parameter flow_m1");
-  complaint.require(p.flow_value, 0.0, most_price, "parameter flow_value");
+  complaint.require(p.flow_value, 0.0, 1.0, "parameter flow_value");
 }
 
 void check_turnover(Complaint& complaint, const PlanningData& data) {

@@ -6,6 +6,9 @@ namespace evbal {
 
 CarWorth car_worth(const PlanningData& data, const CityModel& model, DayKind kind, int minute,
                    const BalancingParameters& parameters) {
+  if (model.car_values[static_cast<std::size_t>(kind)].size() == 0) {
+    return {};
+  }
   const Eigen::Index n = data.km.rows();
   const Eigen::VectorXd fit = share_fit(data);
   const double end = minute + static_cast<double>(data.freed.mean.cols() * parameters.flow_slot);

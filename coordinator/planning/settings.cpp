@@ -40,7 +40,7 @@ constexpr std::array<Price, 20> prices{{
     {"flow_patience", &BalancingParameters::flow_patience, 0.0, 60.0},
     {"flow_served", &BalancingParameters::flow_served, 0.0, 1.0},
     {"flow_pickup", &BalancingParameters::flow_pickup, 0.0, 60.0},
-    {"flow_value", &BalancingParameters::flow_value, 0.0, 10.0},
+    {"flow_value", &BalancingParameters::flow_value, 0.0, 1.0},
 }};
 
 struct Count {

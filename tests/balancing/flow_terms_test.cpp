@@ -137,17 +137,34 @@ TEST(Flow, SendsCarsWhereTheyWillBeWorthMore) {
   PlanningData data = empty_city(2);
   data.state.vacant << 2.0, 0.0;
   data.worth = {Eigen::Vector2d(10.0, 20.0), Eigen::Vector2d::Zero()};
-  BalancingParameters parameters;
-  EXPECT_TRUE(flow(data).dispatch.vacant.front().empty()) << "unless it is asked for";
-  parameters.flow_value = 0.6;
-  const BalancingResult sent = flow(data, parameters);
+  const BalancingResult sent = flow(data);
   ASSERT_EQ(sent.dispatch.vacant.front().size(), 1U);
   EXPECT_NEAR(sent.dispatch.vacant.front()[0].amount, 2.0, 1e-6) << "6 km gained with 5";
   EXPECT_NEAR(cost_of("worth", sent), 0.0, 1e-6);
   data.worth.vacant(1) = 18.0;
-  const BalancingResult stayed = flow(data, parameters);
+  const BalancingResult stayed = flow(data);
   EXPECT_TRUE(stayed.dispatch.vacant.front().empty()) << "4.8 km are not";
   EXPECT_NEAR(cost_of("worth", stayed), 2.0 * 4.8, 1e-6);
+  data.worth.vacant(1) = 100.0;
+  BalancingParameters blind;
+  blind.flow_value = 0.0;
+  EXPECT_TRUE(flow(data, blind).dispatch.vacant.front().empty());
+}
+
+// What is known of the time after the slots stands in for the price of having no car at their end.
+TEST(Flow, PricesTheEndOfItsSlotsByWhatIsNotKnownOfTheTimeAfterThem) {
+  PlanningData data = empty_city(1);
+  data.state.waiting << 1.25;
+  data.worth = {Eigen::VectorXd::Constant(1, 7.0), Eigen::VectorXd::Constant(1, 7.0)};
+  const BalancingParameters half{.flow_value = 0.5};
+  const BalancingParameters all{.flow_value = 1.0};
+  const auto shortage = [](const BalancingResult& result) { return cost_of("shortage", result); };
+  EXPECT_NEAR(shortage(flow(data, half, Uncertainty::mean)), half.p_flow, 1e-6) << "all shares of it, whatever they are";
+  data.freed.mean.row(0).tail(1).setOnes();
+  EXPECT_NEAR(shortage(flow(data, half, Uncertainty::mean)), 0.75 * half.p_flow * 5.0 / 6.0, 1e-6);
+  EXPECT_NEAR(shortage(flow(data, all, Uncertainty::mean)), all.p_flow * 5.0 / 6.0, 1e-6);
+  data.worth = {};
+  EXPECT_NEAR(shortage(flow(data, all, Uncertainty::mean)), 0.5 * all.p_flow * 5.0 / 6.0, 1e-6) << "nothing is known";
 }
 
 // One car, a passenger in each of two regions: the one whose way leads to where cars are worth more is taken.
@@ -156,18 +173,16 @@ TEST(Flow, TakesThePassengerAfterWhomTheCarIsWorthMore) {
   data.state.vacant << 1.0, 0.0, 0.0;
   data.state.waiting << 0.0, 1.25, 1.25;
   data.worth = {Eigen::Vector3d::Constant(10.0), Eigen::Vector3d(0.0, 5.0, 8.0)};
-  BalancingParameters parameters;
-  parameters.flow_value = 0.6;
-  const BalancingResult result = flow(data, parameters, Uncertainty::mean);
+  const BalancingResult result = flow(data, {}, Uncertainty::mean);
   ASSERT_EQ(result.dispatch.vacant.front().size(), 1U);
   EXPECT_EQ(result.dispatch.vacant.front()[0].to, 2);
   std::swap(data.worth.serving(1), data.worth.serving(2));
-  EXPECT_EQ(flow(data, parameters, Uncertainty::mean).dispatch.vacant.front()[0].to, 1);
-  data.worth.serving.setZero();
+  EXPECT_EQ(flow(data, {}, Uncertainty::mean).dispatch.vacant.front()[0].to, 1);
+  const BalancingParameters cheap{.p_flow = 6.5};
+  data.worth.serving = data.worth.vacant;
+  EXPECT_FALSE(flow(data, cheap, Uncertainty::mean).dispatch.vacant.front().empty()) << "with the last slot worth 5 km";
   data.worth.vacant.setConstant(1e4);
-  parameters.flow_end = 1.0;
-  EXPECT_TRUE(flow(data, parameters, Uncertainty::mean).dispatch.vacant.front().empty())
-      << "no passenger is worth the car";
+  EXPECT_TRUE(flow(data, cheap, Uncertainty::mean).dispatch.vacant.front().empty()) << "no passenger is worth the car";
 }
 
 TEST(Flow, StartsFromTheCurvesOfTheLastPlanAlone) {
