@@ -41,8 +41,8 @@ struct BalancingParameters {
   int flow_sends = 3;          ///< the first so many slots are those in which cars may set off
   double flow_m1 = 25.0;       ///< as m1
   int flow_neighbours = 35;    ///< as neighbours
-  double flow_end = 0.5;       ///< share of p_flow that stands on having no car by the end of all slots, as far as it is
-                               ///< not said by CarWorth what comes after them
+  double flow_end = 0.5;       ///< share of p_flow that stands on having no car by the end of all slots, less the share
+                               ///< flow_value of it where CarWorth is known
   double flow_patience = 9.0;  ///< minutes that a passenger may wait for a car without cost
   double flow_served = 0.95;   ///< at most this share of the passengers to come is served and gets out again
   double flow_pickup = 2.0;    ///< minutes that a passenger who is served waits

@@ -159,7 +159,8 @@ TEST(Flow, PricesTheEndOfItsSlotsByWhatIsNotKnownOfTheTimeAfterThem) {
   const BalancingParameters half{.flow_value = 0.5};
   const BalancingParameters all{.flow_value = 1.0};
   const auto shortage = [](const BalancingResult& result) { return cost_of("shortage", result); };
-  EXPECT_NEAR(shortage(flow(data, half, Uncertainty::mean)), half.p_flow, 1e-6) << "all shares of it, whatever they are";
+  EXPECT_NEAR(shortage(flow(data, half, Uncertainty::mean)), half.p_flow, 1e-6)
+      << "all shares of it, whatever they are";
   data.freed.mean.row(0).tail(1).setOnes();
   EXPECT_NEAR(shortage(flow(data, half, Uncertainty::mean)), 0.75 * half.p_flow * 5.0 / 6.0, 1e-6);
   EXPECT_NEAR(shortage(flow(data, all, Uncertainty::mean)), all.p_flow * 5.0 / 6.0, 1e-6);
